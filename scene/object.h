@@ -1,0 +1,60 @@
+// Objects as plain data: a forest of nodes. Nodes are immutable and shared: `object { Tree … }`
+// makes one new node, whatever hangs below it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/texture.h"
+
+namespace durer::scene {
+
+using ObjectId = std::uint32_t;
+using LightId = std::uint32_t;
+
+enum class NodeKind : std::uint8_t {
+  primitive,
+  union_,
+  merge,
+  intersection,
+  difference,   // first child minus the others
+  light,        // a light source that stands among objects (and moves with them)
+  unsupported,  // may be declared, must not be used
+};
+
+/// One object. Spaces: `transform` maps the node's local space (that of its operands, or of its
+/// children) to the space around it. Texture, clips and bounds carry transforms of their own that
+/// lead to the same surrounding space, because what is attached after a transformation is not
+/// moved by it (objects §6.4).
+struct Object {
+  NodeKind kind = NodeKind::primitive;
+  std::uint32_t type = none;       // primitive: index into Registry::primitives
+  std::vector<double> args;        // primitive: operands, laid out by its Params
+  std::vector<ObjectId> children;  // CSG
+  LightId light = none;
+  Transform transform;
+
+  TextureUse texture;           // .texture == none: inherits (objects §9.3)
+  TextureUse interior_texture;  // seen when hit from inside; none: same as texture
+  InteriorId interior = none;
+  std::vector<ObjectId> clips;   // `clipped_by`: a hit survives if inside all of them
+  std::vector<ObjectId> bounds;  // `bounded_by`
+  /// The clips and bounds above live in this space of their own → surrounding space.
+  Transform clip_transform;
+  Transform bound_transform;
+
+  bool inverse = false;
+  std::optional<bool> hollow;
+  bool no_shadow = false;
+  bool no_image = false;
+  bool no_reflection = false;
+  bool no_radiosity = false;
+  bool double_illuminate = false;
+  bool sturm = false;
+  OriginId origin = 0;
+  std::string unsupported;  // the feature's name, when it cannot be rendered yet
+};
+
+}  // namespace durer::scene

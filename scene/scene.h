@@ -1,0 +1,80 @@
+// The scene: everything the interpreter knows, nothing the tracer computes. Plain data, printable,
+// comparable; ids are indices into the vectors here.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/colour.h"
+#include "base/gamma.h"
+#include "scene/object.h"
+#include "scene/origin.h"
+#include "scene/texture.h"
+
+namespace durer::scene {
+
+/// Position and colour of light (shading §6). World space once the transforms of the objects that
+/// hold it are applied; angles in degrees.
+struct Light {
+  enum class Kind : std::uint8_t { point, spotlight };
+  Kind kind = Kind::point;
+  dvec3 position{0.0};
+  vec3 colour{0.0F};
+  bool parallel = false;
+  bool shadowless = false;
+  dvec3 point_at{0, 0, 1};
+  double radius_deg = 30;    // full intensity inside
+  double falloff_deg = 45;   // nothing outside
+  double tightness = 0;
+  double fade_distance = 0;  // 0: off
+  double fade_power = 0;
+  OriginId origin = 0;
+};
+
+/// Final vectors, after `angle`, `look_at` and all transformations (shading §2.2).
+struct Camera {
+  enum class Kind : std::uint8_t { perspective, orthographic };
+  Kind kind = Kind::perspective;
+  dvec3 location{0.0};
+  dvec3 direction{0, 0, 1};
+  dvec3 right{1.33, 0, 0};
+  dvec3 up{0, 1, 0};
+  OriginId origin = 0;
+};
+
+/// How scene numbers relate to light (shading §1.2).
+enum class GammaMode : std::uint8_t { off, legacy, explicit_, implied };
+
+struct Settings {
+  float adc_bailout = 1.0F / 255;
+  int max_trace_level = 5;
+  vec3 ambient_light{1.0F};
+  vec3 irid_wavelength{0.70F, 0.52F, 0.48F};
+  GammaMode gamma_mode = GammaMode::off;
+  GammaCurve assumed_gamma;  // meaning of scene numbers; identity curve in mode `off`
+  /// Hundredths; decides opacity, sky and gamma rules at render time (shading §1.1).
+  int effective_version = 362;
+  int declared_version = 370;
+};
+
+/// An object of the scene's top level, with the default texture in force when it was complete.
+struct Root {
+  ObjectId object = none;
+  TextureId default_texture = none;
+};
+
+struct Scene {
+  std::vector<Object> objects;
+  std::vector<Root> roots;  // in order of declaration
+  std::vector<Light> lights;
+  std::vector<Texture> textures;
+  std::vector<Interior> interiors;
+  Camera camera;
+  Colour background{.rgb = vec3(0.0F), .filter = 0, .transmit = 1};
+  Settings settings;
+  std::vector<Origin> origins{1};
+};
+
+}  // namespace durer::scene

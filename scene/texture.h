@@ -1,0 +1,113 @@
+// Surfaces as plain data. Every texture is immutable once it is in the scene; users refer to it by
+// id and bring their own transform, so that a copy costs nothing.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/colour.h"
+#include "base/transform.h"
+#include "scene/origin.h"
+#include "scene/type_info.h"
+
+namespace durer::scene {
+
+using TextureId = std::uint32_t;
+using InteriorId = std::uint32_t;
+inline constexpr std::uint32_t none = 0xFFFFFFFF;
+
+struct Pigment;
+
+/// One entry of a colour map, pigment map or list. `pigment` (an index into `Pigment::children`)
+/// is used instead of `colour` when it is not `none`.
+struct PigmentEntry {
+  float key = 0;
+  Colour colour;
+  std::uint32_t pigment = none;
+};
+
+/// A colour for every point. `pattern` == none: the plain `colour` everywhere.
+struct Pigment {
+  std::uint32_t pattern = none;       // index into Registry::patterns
+  std::vector<double> args;           // the pattern's operands, laid out by its Params
+  Colour colour;
+  std::vector<PigmentEntry> entries;  // in written order, never sorted (textures §11.1)
+  std::vector<Pigment> children;
+  Transform transform;                // pattern space → the texture's space
+  float frequency = 1;
+  float phase = 0;
+  Wave wave = Wave::ramp;
+  float wave_exponent = 1;
+  OriginId origin = 0;
+  /// Name of a feature in it that cannot be rendered yet; such a pigment may be declared, not used.
+  std::string unsupported;
+};
+
+/// Surface model (shading §4.1). Colours are rgb in working space.
+struct Finish {
+  vec3 ambient{0.1F};
+  vec3 emission{0.0F};
+  float diffuse = 0.6F;
+  float diffuse_back = 0;
+  float brilliance = 1;
+  float phong = 0;
+  float phong_size = 40;
+  float specular = 0;
+  float roughness = 0.05F;  // the exponent is 1/roughness; 0 means exponent 0
+  float metallic = 0;
+  float crand = 0;
+  vec3 reflection_min{0.0F};
+  vec3 reflection_max{0.0F};
+  float reflection_falloff = 1;
+  float reflection_exponent = 1;  // as written; light is raised to 1/exponent
+  float reflection_metallic = 0;
+  bool fresnel = false;
+  bool conserve_energy = false;
+  float irid = 0;
+  float irid_thickness = 0;
+  float irid_turbulence = 0;
+  /// Legacy values that move into the object's interior (objects §8.6); negative: not written.
+  float ior = -1;
+  float caustics = -1;
+  float refraction = -1;
+  std::string unsupported;
+};
+
+struct Layer {
+  Pigment pigment;
+  Finish finish;
+  /// Transform of the layer inside its texture: pigment space → texture space is pigment.transform,
+  /// then this.
+  Transform transform;
+  std::string unsupported;  // e.g. a `normal`
+};
+
+/// Layers in written order: the last is the outermost, seen first.
+struct Texture {
+  std::vector<Layer> layers;
+  OriginId origin = 0;
+  std::string unsupported;  // patterned textures, material_map …
+};
+
+/// Volume side of a surface (shading §5).
+struct Interior {
+  double ior = -1;  // negative: the atmosphere's
+  double dispersion = 1;
+  int dispersion_samples = 7;
+  float caustics = 0;      // as written, before the factor 45
+  double fade_distance = 0;
+  double fade_power = 0;
+  vec3 fade_colour{0.0F};
+  float refraction = 1;
+  OriginId origin = 0;
+  std::string unsupported;
+};
+
+/// A texture as attached to an object: the texture, then the transforms made since.
+struct TextureUse {
+  TextureId texture = none;
+  Transform transform;  // texture space → space around the object that carries it
+};
+
+}  // namespace durer::scene

@@ -1,0 +1,28 @@
+// Scene (plain data) → compiled scene (arrays by type, hierarchy, texture programs). Public.
+#pragma once
+
+#include <memory>
+
+#include "base/diagnostic.h"
+#include "scene/scene.h"
+#include "scene/type_info.h"
+
+namespace durer::tracer {
+
+/// All primitives and patterns this tracer can render, in the order of primitives.def and
+/// patterns.def. The interpreter binds scenes against this table.
+[[nodiscard]] const scene::Registry& registry();
+
+/// Immutable, shared by all threads of a render.
+struct CompiledScene;
+struct DeleteCompiledScene {
+  void operator()(const CompiledScene* s) const;
+};
+using CompiledScenePtr = std::unique_ptr<const CompiledScene, DeleteCompiledScene>;
+
+/// Builds stores, hierarchy, CSG programs and texture programs. Whatever the scene uses that the
+/// tracer cannot render is reported as an error with its origin; then the result is null.
+/// `scene` must outlive the result.
+[[nodiscard]] CompiledScenePtr compile(const scene::Scene& scene, Diagnostics& diagnostics);
+
+}  // namespace durer::tracer

@@ -1,0 +1,102 @@
+// All geometry of a scene, flattened into world space, behind the few questions that light
+// transport asks. Everything above this line is shading; everything below is shapes, CSG and
+// hierarchy.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "base/ray.h"
+#include "scene/scene.h"
+
+namespace durer::tracer {
+
+/// One primitive as placed in the world.
+struct Leaf {
+  std::uint32_t surface = 0;   // index into Geometry::surfaces()
+  std::uint32_t interior = 0;  // index into Geometry::interiors(): the *instance*, compared by id
+  scene::OriginId origin = 0;
+};
+
+/// What a leaf looks like. Transforms are resolved: texture space → world.
+struct Surface {
+  scene::TextureUse texture;           // never none: inheritance and defaults are resolved
+  scene::TextureUse interior_texture;  // none: same as `texture`
+  bool double_illuminate = false;
+};
+
+/// One body of matter. Objects that share an instance toggle it (objects §8.6).
+struct InteriorInstance {
+  scene::InteriorId interior = scene::none;  // none: ior 1, no fading
+  bool hollow = false;
+};
+
+struct Hit {
+  double t = no_hit_depth;   // along the ray, world units
+  std::uint32_t leaf = 0;
+  dvec3 p{0.0};              // world point
+  dvec3 n{0.0, 1.0, 0.0};    // world unit normal, outward; negated for inverted and subtracted leaves
+};
+
+/// What a ray may see (shading §5.5).
+enum class RayKind : std::uint8_t {
+  image,       // camera rays and what they see by transmission
+  reflection,  // rays that were reflected at least once
+  shadow,
+};
+
+/// Buffers of one thread; geometry queries allocate nothing once these have grown.
+struct GeometryScratch;
+struct DeleteGeometryScratch {
+  void operator()(GeometryScratch* s) const;
+};
+using GeometryScratchPtr = std::unique_ptr<GeometryScratch, DeleteGeometryScratch>;
+
+class Geometry {
+ public:
+  Geometry(Geometry&&) noexcept;
+  Geometry& operator=(Geometry&&) noexcept;
+  ~Geometry();
+
+  /// Flattens the scene's objects (transforms, inheritance of textures and interiors, objects §8
+  /// and §9.3), fills the stores and builds the hierarchies. Reports what cannot be rendered.
+  [[nodiscard]] static std::optional<Geometry> build(const scene::Scene& scene,
+                                                     Diagnostics& diagnostics);
+
+  [[nodiscard]] std::span<const Leaf> leaves() const;
+  [[nodiscard]] std::span<const Surface> surfaces() const;
+  [[nodiscard]] std::span<const InteriorInstance> interiors() const;
+  /// Lights of the scene and of its objects, in world space, in order of declaration.
+  [[nodiscard]] std::span<const scene::Light> lights() const;
+
+  /// Tells which surfaces stop all light, so that `occluded` can end at the first of them.
+  void set_opaque(std::vector<bool> by_surface);
+
+  [[nodiscard]] GeometryScratchPtr make_scratch() const;
+
+  /// Nearest hit with t_from <= t < t_to visible to `kind`. `ray.d` has unit length.
+  bool closest(const Ray& ray, double t_from, double t_to, RayKind kind, Hit& hit,
+               GeometryScratch& scratch) const;
+
+  /// True if an opaque, shadow-casting surface lies in t_from < t < t_to.
+  bool occluded(const Ray& ray, double t_from, double t_to, GeometryScratch& scratch) const;
+
+  /// True if some shadow-casting surface is not opaque: then the shadow rays that `occluded` lets
+  /// through must be walked with `closest(RayKind::shadow)`.
+  [[nodiscard]] bool has_translucent_shadows() const;
+
+  /// Appends the interior instances of all top-level objects that contain `p`, in order of
+  /// declaration (shading §2.8).
+  void containing(dvec3 p, std::vector<std::uint32_t>& interiors, GeometryScratch& scratch) const;
+
+ private:
+  struct State;
+  explicit Geometry(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace durer::tracer

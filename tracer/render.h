@@ -1,0 +1,49 @@
+// Compiled scene → picture. Public.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+
+#include "image/image.h"
+#include "tracer/compile.h"
+
+namespace durer::tracer {
+
+struct RenderOptions {
+  int width = 160;
+  int height = 120;
+  bool antialias = false;       // method 1 (shading §3.2)
+  float aa_threshold = 0.3F;    // 0…1
+  int aa_depth = 3;             // n: n·n + 1 samples; 1…9
+  float aa_jitter = 1.0F;       // 0…1; 0: off
+  float aa_gamma = 2.5F;
+  int block_size = 32;          // pixels; anti-aliasing looks at blocks (shading §3.2)
+  int threads = 0;              // 0: all
+  // Part of the picture to render: 0-based, end exclusive; -1: to the edge.
+  int first_column = 0;
+  int end_column = -1;
+  int first_row = 0;
+  int end_row = -1;
+};
+
+struct Progress {
+  std::uint64_t pixels_done = 0;
+  std::uint64_t pixels_total = 0;
+  std::uint64_t rays = 0;  // all kinds: camera, reflected, refracted, shadow
+  double seconds = 0;
+};
+
+struct RenderResult {
+  image::Image image;  // pixels outside the rendered part are 0
+  Progress final;
+  bool cancelled = false;
+};
+
+/// Renders on all cores; the picture is bit-equal for any thread count. `on_progress` is called now
+/// and then from one thread at a time; `cancel` stops the render early when it becomes true.
+[[nodiscard]] RenderResult render(const CompiledScene& scene, const RenderOptions& options,
+                                  const std::function<void(const Progress&)>& on_progress = {},
+                                  const std::atomic<bool>* cancel = nullptr);
+
+}  // namespace durer::tracer
