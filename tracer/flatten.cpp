@@ -20,6 +20,7 @@ struct Context {
   Transform to_world;  // from the space around the object
   bool inverted = false;
   bool scenery = true;   // false: part of a clip or bound, never seen
+  bool muted = false;    // part of a clip
   bool splits = true;    // a plain union here falls apart into its children
   bool flags_count = true;  // inside an intersection the flags of children do not (objects §9.2)
   std::uint8_t mask = seen_by_image | seen_by_reflection | casts_shadow;
@@ -123,7 +124,7 @@ class Flattener {
   }
 
   std::uint32_t add_leaf(const Object& object, const Context& own) {
-    FlatLeaf part{&object, own.to_world, own.inverted, own.mask, own.gate, none};
+    FlatLeaf part{&object, own.to_world, own.inverted, own.muted, own.mask, own.gate, none};
     if (own.scenery) {
       Surface surface{own.texture, own.interior_texture, own.double_illuminate};
       if (surface.texture.texture == none) surface.texture = {default_texture_, {}};
@@ -168,7 +169,8 @@ class Flattener {
   std::uint32_t clip(const Object& object, const Context& around, std::uint32_t body) {
     if (object.clips.empty()) return body;
     FlatNode node{Op::all, none, {body}};
-    const Context hidden = behind_the_scenes(object.clip_transform, around);
+    Context hidden = behind_the_scenes(object.clip_transform, around);
+    hidden.muted = true;
     for (const scene::ObjectId id : object.clips) {
       if (const std::uint32_t child = visit(id, hidden); child != none) {
         node.children.push_back(child);

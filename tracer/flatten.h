@@ -16,6 +16,7 @@ struct FlatLeaf {
   const scene::Object* object = nullptr;
   Transform to_world;
   bool inverted = false;
+  bool muted = false;  // part of a clip: its surface is never seen
   std::uint8_t mask = 0;
   std::uint32_t gate = scene::none;  // index into Flat::gates
   std::uint32_t leaf = scene::none;  // index into Flat::leaves; none: part of a clip or bound

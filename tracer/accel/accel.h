@@ -19,7 +19,7 @@ class Accel {
   virtual bool any(RayQuery& query) const = 0;
 };
 
-[[nodiscard]] std::unique_ptr<Accel> make_embree_accel(std::span<const Store* const> stores);
-[[nodiscard]] std::unique_ptr<Accel> make_linear_accel(std::span<const Store* const> stores);
+[[nodiscard]] std::unique_ptr<Accel> make_embree_accel(std::span<const Targets* const> all);
+[[nodiscard]] std::unique_ptr<Accel> make_linear_accel(std::span<const Targets* const> all);
 
 }  // namespace durer::tracer

@@ -4,9 +4,8 @@
 #include <cmath>
 
 namespace durer::tracer {
-namespace {
 
-Bounds3 grown(Bounds3 b) {
+Bounds3 BoxTree::grown(Bounds3 b) {
   for (int i = 0; i < 3; ++i) {
     const double pad = 1e-9 * std::max({1e-3, std::abs(b.lo[i]), std::abs(b.hi[i])});
     b.lo[i] -= pad;
@@ -14,8 +13,6 @@ Bounds3 grown(Bounds3 b) {
   }
   return b;
 }
-
-}  // namespace
 
 BoxTree::BoxTree(std::span<const Bounds3> boxes) {
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {

@@ -16,9 +16,11 @@ namespace durer::tracer {
 class BoxTree {
  public:
   BoxTree() = default;
-  /// Boxes must be finite; empty ones are never found. They grow by a relative 1e-9, so that what
-  /// lies on a face is found in spite of rounding.
+  /// Boxes must be finite; empty ones are never found. All are grown().
   explicit BoxTree(std::span<const Bounds3> boxes);
+
+  /// Larger by a relative 1e-9, so that what lies on a face is found in spite of rounding.
+  [[nodiscard]] static Bounds3 grown(Bounds3 b);
 
   /// Calls f(index) for every box that holds `p`.
   template <typename F>

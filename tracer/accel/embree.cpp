@@ -1,4 +1,4 @@
-// Embree chooses whom to ask: one user geometry per store, boxes in single precision rounded
+// Embree chooses whom to ask: one user geometry per sort of target, boxes in single precision rounded
 // outward. The answers, in double precision, live in the query. The only file that includes Embree,
 // and the only one that knows whether it is version 3 or 4.
 #if __has_include(<embree4/rtcore.h>)
@@ -44,16 +44,16 @@ float round_up(double x) {
   return static_cast<double>(f) < x ? std::nextafter(f, float_infinity) : f;
 }
 
-/// What the bounds callback needs besides the store.
+/// What the bounds callback needs.
 struct Member {
-  const Store* store = nullptr;
+  const Targets* targets = nullptr;
   dvec3 center{0.0};  // of the scene: boxes and rays are given relative to it
   double pad = 0;
 };
 
 void bounds_callback(const RTCBoundsFunctionArguments* args) {
   const auto& member = *static_cast<const Member*>(args->geometryUserPtr);
-  const Bounds3 b = member.store->surface_bounds(args->primID);
+  const Bounds3 b = member.targets->surface_bounds(args->primID);
   RTCBounds& out = *args->bounds_o;
   if (b.empty() || b.infinite()) {  // an inverted box is left out of the hierarchy
     out.lower_x = out.lower_y = out.lower_z = float_infinity;
@@ -67,10 +67,10 @@ void bounds_callback(const RTCBoundsFunctionArguments* args) {
 }
 
 bool ask(void* user, std::uint32_t index, void* context) {
-  const Store& store = *static_cast<const Member*>(user)->store;
+  const Targets& targets = *static_cast<const Member*>(user)->targets;
   RayQuery& query = *static_cast<Travelling*>(context)->query;
   const double before = query.t_to;
-  store.nearest(store, index, query);
+  targets.nearest(targets, index, query);
   return query.t_to < before;
 }
 
@@ -90,8 +90,8 @@ void occluded_callback(const RTCOccludedFunctionNArguments* args) {
 
 class EmbreeAccel final : public Accel {
  public:
-  explicit EmbreeAccel(std::span<const Store* const> stores) {
-    collect(stores);
+  explicit EmbreeAccel(std::span<const Targets* const> all) {
+    collect(all);
     device_ = rtcNewDevice(nullptr);
     scene_ = rtcNewScene(device_);
     const dvec3 center = box_.empty() ? dvec3(0.0) : (box_.lo + box_.hi) * 0.5;
@@ -99,9 +99,9 @@ class EmbreeAccel final : public Accel {
     // a few 2^-24 of the scene's size, which the boxes must cover.
     const dvec3 extent = box_.empty() ? dvec3(0.0) : box_.hi - box_.lo;
     const double pad = 1e-6 * std::max({extent.x, extent.y, extent.z});
-    members_.reserve(stores.size());
-    for (const Store* store : stores) {
-      if (store->size() > 0) attach(members_.emplace_back(Member{store, center, pad}));
+    members_.reserve(all.size());
+    for (const Targets* targets : all) {
+      if (targets->size() > 0) attach(members_.emplace_back(Member{targets, center, pad}));
     }
     rtcCommitScene(scene_);
     center_ = center;
@@ -116,7 +116,7 @@ class EmbreeAccel final : public Accel {
   EmbreeAccel& operator=(const EmbreeAccel&) = delete;
 
   void closest(RayQuery& query) const override {
-    for (const Lone& lone : infinite_) lone.store->nearest(*lone.store, lone.index, query);
+    for (const Lone& lone : infinite_) lone.targets->nearest(*lone.targets, lone.index, query);
     Travelling context;
     RTCRayHit rayhit;
     if (!prepare(query, context, rayhit.ray)) return;
@@ -134,7 +134,7 @@ class EmbreeAccel final : public Accel {
 
   bool any(RayQuery& query) const override {
     for (const Lone& lone : infinite_) {
-      lone.store->nearest(*lone.store, lone.index, query);
+      lone.targets->nearest(*lone.targets, lone.index, query);
       if (query.found.store != nullptr) return true;
     }
     Travelling context;
@@ -153,23 +153,23 @@ class EmbreeAccel final : public Accel {
 
  private:
   struct Lone {
-    const Store* store;
+    const Targets* targets;
     std::uint32_t index;
   };
 
-  void collect(std::span<const Store* const> stores) {
-    for (const Store* store : stores) {
-      for (std::uint32_t i = 0; i < store->size(); ++i) {
-        const Bounds3 b = store->surface_bounds(i);
+  void collect(std::span<const Targets* const> all) {
+    for (const Targets* targets : all) {
+      for (std::uint32_t i = 0; i < targets->size(); ++i) {
+        const Bounds3 b = targets->surface_bounds(i);
         if (b.empty()) continue;
-        b.infinite() ? infinite_.push_back({store, i}) : box_.add(b);
+        b.infinite() ? infinite_.push_back({targets, i}) : box_.add(b);
       }
     }
   }
 
   void attach(Member& member) {
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
-    rtcSetGeometryUserPrimitiveCount(geometry, member.store->size());
+    rtcSetGeometryUserPrimitiveCount(geometry, member.targets->size());
     rtcSetGeometryUserData(geometry, &member);
     rtcSetGeometryBoundsFunction(
         geometry, [](const RTCBoundsFunctionArguments* args) { bounds_callback(args); }, nullptr);
@@ -217,8 +217,8 @@ class EmbreeAccel final : public Accel {
 
 }  // namespace
 
-std::unique_ptr<Accel> make_embree_accel(std::span<const Store* const> stores) {
-  return std::make_unique<EmbreeAccel>(stores);
+std::unique_ptr<Accel> make_embree_accel(std::span<const Targets* const> all) {
+  return std::make_unique<EmbreeAccel>(all);
 }
 
 }  // namespace durer::tracer

@@ -7,11 +7,11 @@ namespace {
 
 class LinearAccel final : public Accel {
  public:
-  explicit LinearAccel(std::span<const Store* const> stores) : stores_(stores.begin(), stores.end()) {}
+  explicit LinearAccel(std::span<const Targets* const> all) : all_(all.begin(), all.end()) {}
 
   void closest(RayQuery& query) const override {
-    for (const Store* store : stores_) {
-      for (std::uint32_t i = 0; i < store->size(); ++i) store->nearest(*store, i, query);
+    for (const Targets* targets : all_) {
+      for (std::uint32_t i = 0; i < targets->size(); ++i) targets->nearest(*targets, i, query);
     }
   }
   bool any(RayQuery& query) const override {
@@ -20,13 +20,13 @@ class LinearAccel final : public Accel {
   }
 
  private:
-  std::vector<const Store*> stores_;
+  std::vector<const Targets*> all_;
 };
 
 }  // namespace
 
-std::unique_ptr<Accel> make_linear_accel(std::span<const Store* const> stores) {
-  return std::make_unique<LinearAccel>(stores);
+std::unique_ptr<Accel> make_linear_accel(std::span<const Targets* const> all) {
+  return std::make_unique<LinearAccel>(all);
 }
 
 }  // namespace durer::tracer

@@ -37,17 +37,26 @@ struct LeafShape {
 
 struct RayQuery;
 
-class Store {
+/// Objects of one sort, as the hierarchy sees them: boxes, and one function to ask.
+class Targets {
  public:
-  virtual ~Store() = default;
+  virtual ~Targets() = default;
 
-  /// Lowers `query.t_to` and fills `query.found` if this object has a visible hit in range.
-  using NearestFunction = void (*)(const Store& store, std::uint32_t index, RayQuery& query);
+  /// Lowers `query.t_to` and fills `query.found` if object `index` has a visible hit in range.
+  using NearestFunction = void (*)(const Targets& targets, std::uint32_t index, RayQuery& query);
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(tags.size()); }
-
-  /// World boxes: of the surface that can be seen; of the inside (everything, for half-spaces).
+  /// World box of the surface that can be seen.
   [[nodiscard]] virtual Bounds3 surface_bounds(std::uint32_t index) const = 0;
+
+  NearestFunction nearest = nullptr;
+  std::vector<Tag> tags;
+};
+
+/// Placed primitives of one type.
+class Store : public Targets {
+ public:
+  /// World box of the inside: everything, for half-spaces.
   [[nodiscard]] virtual Bounds3 inside_bounds(std::uint32_t index) const = 0;
   [[nodiscard]] virtual bool contains(std::uint32_t index, dvec3 p) const = 0;
   /// World unit normal at the world point `p`, outward (of the primitive before any inversion).
@@ -58,9 +67,6 @@ class Store {
                          std::vector<std::uint32_t>& begun) const = 0;
   /// True if the inside is convex: a box lies in it if its corners do.
   [[nodiscard]] virtual bool convex() const = 0;
-
-  NearestFunction nearest = nullptr;
-  std::vector<Tag> tags;
 };
 
 }  // namespace durer::tracer

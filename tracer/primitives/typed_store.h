@@ -133,8 +133,8 @@ class TypedStore final : public Store {
   }
 
  private:
-  static void nearest_of(const Store& store, std::uint32_t index, RayQuery& query) {
-    const auto& self = static_cast<const TypedStore&>(store);
+  static void nearest_of(const Targets& targets, std::uint32_t index, RayQuery& query) {
+    const auto& self = static_cast<const TypedStore&>(targets);
     const Item& item = self.items_[index];
     double t_to = query.t_to;
     if constexpr (requires { S::far; }) t_to = t_to < S::far ? t_to : S::far;
@@ -145,7 +145,7 @@ class TypedStore final : public Store {
     if ((tag.mask & query.mask) == 0) return;
     if (tag.gated && !gates_open(tag.leaf, query)) return;
     query.t_to = hit->t;
-    query.found = {&store, index, tag.leaf, hit->part};
+    query.found = {&self, index, tag.leaf, hit->part};
   }
 
   std::vector<Item> items_;

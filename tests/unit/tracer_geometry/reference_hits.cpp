@@ -53,4 +53,19 @@ TEST_CASE("plane: the oracle's hit", "[tracer][plane]") {
             {0.267261, 0.534522, -0.801784});
 }
 
+TEST_CASE("torus: the oracle's hit", "[tracer][torus]") {
+  check_hit(only(primitive("torus", {1, 0.25}, rotate(-60, 0, 0))), {0.5, 0.6, -10},
+            {0.5, 0.6, 0.1874472}, {-0.527428, -0.284973, -0.800381});
+}
+
+TEST_CASE("difference: the oracle's hit", "[tracer][csg]") {
+  SceneBuilder b;
+  const auto box = b.add(primitive("box", {-1, -1, -1, 1, 1, 1}));
+  const auto ball = b.add(primitive("sphere", {0, 0, -1, 0.8}));
+  const auto cut = b.csg(scene::NodeKind::difference, {box, ball});
+  b.scene.objects[cut].transform = rotate(0, 20, 0);
+  b.show(cut);
+  check_hit(b.build(), {0.1, 0.2, -5}, {0.1, 0.2, -0.3035966}, {-0.552525, -0.25, -0.795120});
+}
+
 }  // namespace durer::tracer::test
