@@ -1,0 +1,76 @@
+// Every pattern keeps its own evidence, and its description fits its struct.
+#include "tracer/patterns/patterns.h"
+
+#include "tests/support/catch.h"
+#include "tracer/compile.h"
+
+using namespace durer;
+using namespace durer::tracer;
+
+namespace {
+
+std::vector<double> default_args(const PatternType& type) {
+  std::vector<double> args;
+  for (const scene::Param& p : type.params) {
+    args.insert(args.end(), p.fallback.begin(), p.fallback.begin() + scene::width(p.kind));
+  }
+  return args;
+}
+
+double value_of(const PatternType& type, const std::vector<double>& args, dvec3 p) {
+  PatternState state;
+  type.prepare(args, state);
+  return type.evaluate(state, p);
+}
+
+}  // namespace
+
+TEST_CASE("patterns: samples hold", "[tracer][patterns]") {
+  for (const PatternType* type : pattern_types()) {
+    CAPTURE(type->name);
+    CHECK_FALSE(type->doc.empty());
+    for (const PatternSample& s : type->samples) {
+      CAPTURE(s.p.x, s.p.y, s.p.z);
+      CHECK(value_of(*type, default_args(*type), s.p) == Approx(s.value).margin(1e-12));
+    }
+  }
+}
+
+TEST_CASE("patterns: values are finite on nasty points", "[tracer][patterns]") {
+  const std::vector<double> nasty{0.0, -0.0, 1.0, -1.0, 1e-300, 3.141592653589793, -7.5, 1e17, -1e17};
+  for (const PatternType* type : pattern_types()) {
+    CAPTURE(type->name);
+    for (const double x : nasty) {
+      for (const double y : nasty) {
+        for (const double z : nasty) {
+          const double v = value_of(*type, default_args(*type), {x, y, z});
+          const bool good = std::isfinite(v) && (type->list_size == 0 ||
+                                                 (v >= 0 && v < type->list_size && v == std::floor(v)));
+          if (!good) {
+            CAPTURE(x, y, z, v);
+            CHECK(good);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("patterns: lists are complete and maps have keys in order", "[tracer][patterns]") {
+  for (const PatternType* type : pattern_types()) {
+    CAPTURE(type->name);
+    const auto& map = type->default_map;
+    REQUIRE_FALSE(map.empty());
+    if (type->list_size > 0) {
+      REQUIRE(map.size() == static_cast<std::size_t>(type->list_size));
+      for (std::size_t i = 0; i < map.size(); ++i) CHECK(map[i].key == static_cast<float>(i));
+    }
+    for (std::size_t i = 1; i < map.size(); ++i) CHECK(map[i - 1].key <= map[i].key);
+  }
+}
+
+TEST_CASE("patterns: the registry knows them by name, in order", "[tracer][patterns]") {
+  const auto infos = registry().patterns;
+  REQUIRE(infos.size() == pattern_types().size());
+  for (std::size_t i = 0; i < infos.size(); ++i) CHECK(infos[i] == pattern_types()[i]);
+}
