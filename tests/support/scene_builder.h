@@ -70,6 +70,10 @@ class SceneBuilder {
     object.args.resize(registry_->primitives[object.type]->arg_count());
     object.texture.texture = texture;
     object.interior = interior;
+    return root(object);
+  }
+  /// Any node, as an object of the top level.
+  scene::Object& root(const scene::Object& object) {
     scene.objects.push_back(object);
     scene.roots.push_back({static_cast<scene::ObjectId>(scene.objects.size() - 1), scene::none});
     return scene.objects.back();
@@ -79,6 +83,10 @@ class SceneBuilder {
     light.position = position;
     light.colour = colour;
     scene.lights.push_back(light);
+    scene::Object node;
+    node.kind = scene::NodeKind::light;
+    node.light = static_cast<scene::LightId>(scene.lights.size() - 1);
+    root(node);
     return scene.lights.back();
   }
   /// Looks from `location` at `target`, the picture `angle_deg` wide; both sides of unit aspect.

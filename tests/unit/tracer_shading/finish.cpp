@@ -78,8 +78,7 @@ TEST_CASE("finish: a layer filters everything below it", "[tracer][finish][layer
 
 TEST_CASE("finish: a lamp behind lights the back only where asked to", "[tracer][finish]") {
   Wall s;
-  s.scene.lights.clear();
-  s.light({-30, 40, 50});
+  s.scene.lights[0].position = {-30, 40, 50};
   scene::Finish f = diffuse(0.6F);
   scene::Object& disc = s.add("disc", {0, 0, 0, 0, 0, -1, 5, 0}, s.texture(plain(rgbft(1, 1, 1)), f));
   SECTION("plain") { check_pixel(s.scene, vec3(0.0F)); }
@@ -95,8 +94,7 @@ TEST_CASE("finish: a lamp behind lights the back only where asked to", "[tracer]
 
 TEST_CASE("finish: crand darkens by up to its amount, the same in every run", "[tracer][finish]") {
   Wall s;
-  s.scene.lights.clear();
-  s.light({0, 0, -1000});
+  s.scene.lights[0].position = {0, 0, -1000};
   scene::Finish f = diffuse(0.5F);
   f.crand = 0.2F;
   s.wall(plain(rgbft(1, 1, 1)), f);

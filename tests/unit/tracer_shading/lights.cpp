@@ -17,7 +17,7 @@ struct White : Wall {
   scene::Object& blocker(std::string_view type, const Colour& c, const scene::Interior& i = {}) {
     const std::vector<double> args =
         type == "sphere" ? std::vector<double>{-15, 20, -25, 1}
-                         : std::vector<double>{-15, 20, -25, -3, 4, -5, 1, 0};
+                         : std::vector<double>{-15, 20, -25, 0, 0, 1, 1, 0};
     return add(type, args, texture(plain(c), dull()), interior(i));
   }
 };
@@ -119,8 +119,7 @@ TEST_CASE("lights: a blocker nearer than a thousandth casts no shadow", "[tracer
   const double gap = GENERATE(0.0005, 0.002);
   CAPTURE(gap);
   // The lamp is frontal and the blocker seen edge-on from the camera's side: it is hidden.
-  s.scene.lights.clear();
-  s.light({0, 0, -50});
+  s.scene.lights[0].position = {0, 0, -50};
   scene::Object& o =
       s.add("disc", {0, 0, -gap, 0, 0, 1, 1, 0}, s.texture(plain(rgbft(1, 1, 1)), dull()));
   o.no_image = true;
