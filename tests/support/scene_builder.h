@@ -1,7 +1,10 @@
 // Scenes by hand, for tests: short words for the common cases, plain data for the rest.
 #pragma once
 
+#include <cmath>
 #include <cstdlib>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <initializer_list>
 #include <string_view>
 #include <vector>

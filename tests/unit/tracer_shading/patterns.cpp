@@ -2,7 +2,9 @@
 #include "tracer/patterns/patterns.h"
 
 #include "tests/support/catch.h"
+#include "tests/support/scene_builder.h"
 #include "tracer/compile.h"
+#include "tracer/shading/pigment.h"
 
 using namespace durer;
 using namespace durer::tracer;
@@ -73,4 +75,38 @@ TEST_CASE("patterns: the registry knows them by name, in order", "[tracer][patte
   const auto infos = registry().patterns;
   REQUIRE(infos.size() == pattern_types().size());
   for (std::size_t i = 0; i < infos.size(); ++i) CHECK(infos[i] == pattern_types()[i]);
+}
+
+TEST_CASE("patterns: values are the oracle's on a cloud of points", "[tracer][patterns][oracle]") {
+  struct Row {
+    const char* name;
+    std::vector<double> args;
+    dvec3 p;
+    double value;
+  };
+  const std::vector<Row> rows{
+#define STRIP(...) __VA_ARGS__
+#define DURER_PATTERN_VALUE(name, args, x, y, z, value) {name, STRIP args, {x, y, z}, value},
+#include "tests/unit/tracer_shading/pattern_values.def"
+#undef DURER_PATTERN_VALUE
+#undef STRIP
+  };
+  const test::SceneBuilder names(registry());
+  for (const Row& row : rows) {
+    // A map that shows the value itself, after the whole pipeline.
+    scene::Pigment pigment;
+    pigment.pattern = names.pattern(row.name);
+    pigment.args = row.args;
+    const scene::PatternInfo& info = *registry().patterns[pigment.pattern];
+    if (pigment.args.empty()) pigment.args = default_args(*pattern_types()[pigment.pattern]);
+    pigment.frequency = info.list_size > 0 ? 0 : 1;
+    pigment.wave = info.wave;
+    pigment.entries = {{0, test::rgbft(0, 0, 0), scene::none}, {8, test::rgbft(8, 0, 0), scene::none}};
+    PigmentStore store;
+    const float value = store.at(store.add(pigment, {}), row.p).rgb.x;
+    if (std::abs(value - row.value) > 2e-7 * std::max(1.0, row.value)) {
+      CAPTURE(row.name, row.p.x, row.p.y, row.p.z);
+      CHECK(value == Approx(row.value));
+    }
+  }
 }
