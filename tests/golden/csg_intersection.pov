@@ -1,7 +1,7 @@
 // golden: +W96 +H72 -A; psnr >= 50; analytic surfaces, so only last-bit rounding may differ
 #version 3.7;
 global_settings { assumed_gamma 1 }
-camera { location <0, 2, -6> look_at 0 angle 42 }
+camera { location <0, 2, -6> look_at 0 angle 52 }
 light_source { <-4, 6, -6> rgb 1 }
 intersection {                                // a die
   box { -0.8, 0.8 pigment { rgb <0.9, 0.4, 0.3> } }

@@ -2,7 +2,7 @@
 #version 3.7;
 global_settings { assumed_gamma 1 }
 // Declared transforms, one within the other, inverse, and as an object's modifier.
-camera { location <0, 2, -6> look_at 0 angle 42 }
+camera { location <0, 2, -6> look_at 0 angle 52 }
 light_source { <-4, 6, -6> rgb 1 }
 #declare Lean = transform { rotate 35*z translate 0.3*y }
 #declare Away = transform { Lean scale <1, 1, 2> translate 1.4*x }

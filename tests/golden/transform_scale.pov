@@ -2,7 +2,7 @@
 #version 3.7;
 global_settings { assumed_gamma 1 }
 // Mirroring by a negative factor, and a factor of 0, which counts as 1 (with a warning).
-camera { location <0, 2, -6> look_at 0 angle 42 }
+camera { location <0, 2, -6> look_at 0 angle 52 }
 light_source { <-4, 6, -6> rgb 1 }
 #declare Horn = union { cone { 0, 0.5, <0.3, 1, 0.2>, 0.1 } sphere { <0.4, 1.1, 0.3>, 0.25 } }
 object { Horn translate -1.8*x pigment { rgb <0.9, 0.5, 0.3> } }
