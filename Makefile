@@ -4,6 +4,7 @@
 PRESET  ?= release
 JOBS    ?= $(shell nproc)
 FILTER  ?=
+RUNS    ?= 3
 PYTHON  ?= python3
 BUILD   := build/$(PRESET)
 SOURCES  = $(shell git ls-files '*.h' '*.cpp')
@@ -40,7 +41,7 @@ golden: ## make the golden pictures anew, from POV-Ray: make golden FILTER=torus
 	$(PYTHON) tools/golden.py regenerate $(FILTER)
 
 bench: build ## time both programs on the scenes of bench/: make bench FILTER=slab
-	$(PYTHON) tools/bench.py $(FILTER)
+	$(PYTHON) tools/bench.py --runs $(RUNS) $(FILTER)
 
 format: ## clang-format all sources in place
 	clang-format -i $(SOURCES)
