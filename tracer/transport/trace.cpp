@@ -33,7 +33,7 @@ Radiance Tracer::trace(Path path) {
     Hit hit;
     ++scratch_->rays;
     if (!scene_->geometry.closest(path.ray, t_min, no_hit_depth, kind, hit, *scratch_->geometry)) {
-      const Radiance s = sky(path.reflected);
+      const Sky::Seen s = scene_->sky.at(path.ray.d, path.reflected);
       return {sum + through * s.colour, transmittance * s.transmittance};
     }
     if (!straight) ++path.level;
@@ -44,13 +44,6 @@ Radiance Tracer::trace(Path path) {
     through *= step.through;
     straight = step.straight;
   }
-}
-
-Radiance Tracer::sky(bool reflected) const {
-  const Colour& b = scene_->scene->background;
-  // What a mirror shows is opaque, whatever the picture's alpha is to be (shading §7.2).
-  if (reflected) return {b.rgb, 0};
-  return {b.rgb * b.opacity(), std::min(1.0F, std::abs(grey(b.transmission())))};
 }
 
 Tracer::View Tracer::look(const Hit& hit, dvec3 d) const {

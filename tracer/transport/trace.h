@@ -93,7 +93,6 @@ class Tracer {
     bool tir = false;  // totally reflected inside
   };
 
-  [[nodiscard]] Radiance sky(bool reflected) const;
   [[nodiscard]] View look(const Hit& hit, dvec3 d) const;
   [[nodiscard]] Step surface(const View& view, Path& path);
   [[nodiscard]] LayerSum sum_layers(const View& view, const Path& path);
