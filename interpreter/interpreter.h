@@ -157,6 +157,7 @@ class Interpreter {
                    const std::vector<ast::ExprId>& args, const ast::OpenGroup* open, int length);
   Text call_text_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
                          const std::vector<ast::ExprId>& args, const ast::OpenGroup* open);
+  scene::ObjectId object_argument(const ast::Tree& tree, ast::ExprId id, Span call);
   [[nodiscard]] static double days_since_2000();
   std::string format_number(double value, int width, int decimals);
 

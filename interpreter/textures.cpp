@@ -353,8 +353,8 @@ ColourMap Interpreter::read_colour_map() {
         entry = second;
       } else if (n.length == 5) {
         Num colour = n;
-        continue_colour(c);
-        entry.colour = c.colour();
+        continue_colour(colour);
+        entry.colour = colour.colour();
       } else {
         fail(Code::wrong_kind, c.span, "expected a colour, found a vector", "write `rgb` before it");
       }
