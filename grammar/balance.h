@@ -42,6 +42,7 @@ class Balance {
   /// Upper bounds for the size of the tree.
   std::size_t operands = 0;
   std::size_t operators = 0;
+  std::size_t marks = 0;  // commas and such
 
  private:
   struct Mark {

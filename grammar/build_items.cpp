@@ -90,8 +90,7 @@ bool Builder::function_ahead() const {
   return false;
 }
 
-bool Builder::relation_only(const char* at) const {
-  if (at != item_start_) return false;
+bool Builder::relation_only() const {
   const Frame& frame = frames_.back();
   const bool full_level = (frame.kind == FrameKind::paren && !frame.arguments) ||
                           (frame.kind == FrameKind::braces && frame.in_function);
@@ -99,8 +98,7 @@ bool Builder::relation_only(const char* at) const {
   return full_level && last != nullptr && last->kind == ItemKind::expr;
 }
 
-bool Builder::relation_possible(const char* at, bool seen) const {
-  if (at != item_start_) return false;
+bool Builder::relation_possible(bool seen) const {
   const ast::Item* last = last_item();
   if (seen || (last != nullptr && last->kind == ItemKind::directive)) return true;
   return frames_.back().arguments && last != nullptr && last->kind == ItemKind::expr;

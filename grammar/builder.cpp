@@ -68,6 +68,8 @@ Builder::Builder(std::string_view text, Loc base, SymbolTable& symbols, const Ba
       last_end_(base) {
   // Upper bounds, not guesses: a mesh of 30 MB must not be copied while it grows.
   tree.exprs.reserve(balance.operands + balance.operators);
+  tree.expr_lists.reserve(balance.operands);
+  items_.reserve(balance.operands + balance.operators + balance.marks);
   frames_.push_back({});
   frames_.back().open = {base, 0};
 }

@@ -51,9 +51,9 @@ class Builder {
   /// True if a `{` here opens the body of a function.
   [[nodiscard]] bool function_ahead() const;
   /// True if `<` here can be nothing but a relation: a full-level expression precedes it.
-  [[nodiscard]] bool relation_only(const char* at) const;
+  [[nodiscard]] bool relation_only() const;
   /// True if `<` here, which begins no vector, may be a relation or a stray mark.
-  [[nodiscard]] bool relation_possible(const char* at, bool directive_seen) const;
+  [[nodiscard]] bool relation_possible(bool directive_seen) const;
 
   // ---- recovery --------------------------------------------------------------------------------
 
@@ -74,6 +74,7 @@ class Builder {
   [[nodiscard]] Diagnostic diagnostic(const Failure& f) const;
 
   void start_item(const char* at) { item_start_ = at; }
+  [[nodiscard]] bool item_starts_at(const char* at) const { return at == item_start_; }
   /// Every token says where it ended, so that spans need not include white space.
   void token(std::string_view text) { last_end_ = span(text).end(); }
   void enter(const char* at);

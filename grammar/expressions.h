@@ -164,7 +164,9 @@ struct vector {
             template <typename...> class Control, typename Input>
   static bool match(Input& in, Builder& b) {
     const char* const at = in.current();
-    if (in.empty() || *at != '<' || b.known_bad(at) || b.relation_only(at)) return false;
+    if (in.empty() || *at != '<' || b.known_bad(at)) return false;
+    const bool first = b.item_starts_at(at);
+    if (first && b.relation_only()) return false;
     const auto checkpoint = b.checkpoint();
     Failure why;
     bool seen = false;
@@ -182,7 +184,7 @@ struct vector {
     }
     b.rollback(checkpoint);
     b.remember_bad(at);
-    if (b.relation_possible(at, seen)) return false;
+    if (first && b.relation_possible(seen)) return false;
     throw why;
   }
 };
