@@ -79,8 +79,9 @@ struct for_head         : p::seq<hash<words::for_>, p::must<for_open>, gap, p::m
                                  p::must<closing>> {};
 struct macro_param      : identifier {};
 struct macro_params     : p::star<macro_param, gap, p::opt<comma>> {};
+struct params_end       : closing {};
 struct macro_head       : p::seq<hash<words::macro>, p::must<new_name>, gap, p::must<opening>, macro_params,
-                                 p::must<closing>> {};
+                                 p::must<params_end>> {};
 struct repeated         : p::seq<p::sor<while_head, for_head, macro_head>, body, p::must<block_end>> {};
 
 // ---- directives with operands --------------------------------------------------------------------
@@ -108,8 +109,16 @@ struct simple_directive : p::sor<simple_head<words::default_>, simple_head<words
 // ---- any directive -------------------------------------------------------------------------------
 
 struct terminator       : hash<words::end, words::else_, words::elseif, words::case_, words::range> {};
+// Outside of a body an unknown directive cannot be skipped: it is an error at once.
+struct skippable        : predicate<skippable> {
+  template <typename Input>
+  static bool test(Input& in, Builder& b) {
+    if (!b.in_body()) throw b.failure(in.current(), {}, Failure::Kind::directive);
+    return true;
+  }
+};
 struct unknown_word     : identifier {};
-struct unknown          : p::seq<p::one<'#'>, gap, unknown_word, gap> {};
+struct unknown          : p::seq<p::one<'#'>, gap, p::at<identifier>, skippable, unknown_word, gap> {};
 // Before anything that is neither a directive nor a name a `#` means nothing: `look_at 0 # }`.
 struct lone_hash        : p::seq<p::not_at<terminator>, p::one<'#'>, gap> {};
 

@@ -50,7 +50,7 @@ struct attempt {
         return true;
       }
     } catch (const Failure& f) {
-      if (f.final) throw;
+      if (f.final()) throw;
       in.iterator() = at;
     }
     b.rollback(checkpoint);
@@ -175,16 +175,17 @@ struct vector {
         return true;
       }
       if (*at == '<' && at[1] == '=') return false;
-      why = b.failure(b.stopped(), "a component, `,` or `>`");
+      why = b.failure(b.stopped(), "a component, `,` or `>`", Failure::Kind::vector);
       seen = b.directive_seen();
     } catch (const Failure& f) {
-      if (f.final) throw;
+      if (f.final()) throw;
       in.iterator() = at;
       why = f;
     }
     b.rollback(checkpoint);
     b.remember_bad(at);
     if (first && b.relation_possible(seen)) return false;
+    why.after_operand = why.kind == Failure::Kind::vector && first && b.after_operand();
     throw why;
   }
 };

@@ -26,7 +26,7 @@ struct recover {
       try {
         return Control<Rule>::template match<A, p::rewind_mode::required, Action, Control>(in, b);
       } catch (const Failure& why) {
-        if (why.final) throw;
+        if (why.final()) throw;
         in.iterator() = at;
         b.rollback(checkpoint);
         b.remember_bad_item(at);
