@@ -151,7 +151,7 @@ struct resume           : predicate<resume> {
   template <typename Input>
   static bool test(Input&, Builder& b) { return b.resume_expression(); }
 };
-struct resumed_argument : p::seq<p::at<less, gap, additive_start>, resume, full_tails> {};
+struct resumed_argument : p::seq<p::at<less, gap, additive_start>, resume, relation_tail, full_tails> {};
 
 // clang-format on
 

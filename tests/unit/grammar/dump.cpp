@@ -36,7 +36,7 @@ class Dumper {
   }
 
   std::string show(const ast::Number& n) const { return fmt::format("{:g}", n.value); }
-  std::string show(const ast::String& n) const { return '"' + t_.strings[n.index] + '"'; }
+  std::string show(const ast::String& n) const { return fmt::format("\"{}\"", t_.strings[n.index]); }
   std::string show(const ast::Name& n) const { return name(n.name); }
   std::string show(const ast::Paren& n) const { return fmt::format("({})", expr(n.inner)); }
   std::string show(const ast::Vector& n) const {
@@ -71,9 +71,9 @@ class Dumper {
   std::string item(const ast::Item& i) const {
     switch (i.kind) {
       case ast::ItemKind::expr: return expr(i.ref);
-      case ast::ItemKind::word: return ':' + name(i.ref);
-      case ast::ItemKind::braces: return '{' + items(t_.groups[i.ref].items) + '}';
-      case ast::ItemKind::brackets: return '[' + items(t_.groups[i.ref].items) + ']';
+      case ast::ItemKind::word: return fmt::format(":{}", name(i.ref));
+      case ast::ItemKind::braces: return fmt::format("{{{}}}", items(t_.groups[i.ref].items));
+      case ast::ItemKind::brackets: return fmt::format("[{}]", items(t_.groups[i.ref].items));
       case ast::ItemKind::punct: return fmt::format("'{}'", i.detail);
       case ast::ItemKind::directive:
         return std::visit([this](const auto& n) { return show(n); }, t_.directives[i.ref].node);
@@ -117,14 +117,15 @@ class Dumper {
         case ast::Case::Kind::range: out += " range " + expr(c.low) + ' ' + expr(c.high); break;
         case ast::Case::Kind::else_: out += " else"; break;
       }
-      out += '{' + items(c.items) + '}';
+      out += fmt::format("{{{}}}", items(c.items));
     }
     return out;
   }
   std::string show(const ast::Macro& n) const {
     std::string params;
     for (std::uint32_t i = 0; i < n.params.count; ++i) {
-      params += (i > 0 ? " " : "") + name(t_.params[n.params.first + i].name);
+      if (i > 0) params += ' ';
+      params += name(t_.params[n.params.first + i].name);
     }
     return fmt::format("#macro {}({}){{{}}}", name(n.name), params, items(n.items));
   }

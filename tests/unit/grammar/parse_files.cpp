@@ -1,8 +1,11 @@
-// durer_parse_files FILE…: parses every file, prints diagnostics and the time it took. With
-// --round-trip first, the printed tree is parsed again and must be equal.
+// durer_parse_files [--round-trip] [--skip NAME] FILE|FOLDER…: parses every file (in folders: every
+// scene file), prints diagnostics and the time it took. With --round-trip the printed tree is parsed
+// again and must be equal.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -58,12 +61,44 @@ void parse_one(const std::string& path, bool with_round_trip, Totals& totals) {
   }
 }
 
+std::vector<std::string> scene_files(const std::filesystem::path& path) {
+  namespace fs = std::filesystem;
+  if (!fs::is_directory(path)) return {path.string()};
+  std::vector<std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(path)) {
+    const std::string extension = entry.path().extension().string();
+    constexpr std::string_view known[] = {".pov", ".inc", ".mcr", ".map"};
+    if (std::find(std::begin(known), std::end(known), extension) != std::end(known)) {
+      files.push_back(entry.path().string());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  const bool with_round_trip = argc > 1 && std::string_view(argv[1]) == "--round-trip";
+  bool with_round_trip = false;
+  std::vector<std::string> skipped;
+  std::vector<std::string> files;
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view argument = argv[i];
+    if (argument == "--round-trip") {
+      with_round_trip = true;
+    } else if (argument == "--skip" && i + 1 < argc) {
+      skipped.emplace_back(argv[++i]);
+    } else {
+      const auto found = scene_files(argument);
+      files.insert(files.end(), found.begin(), found.end());
+    }
+  }
   Totals totals;
-  for (int i = with_round_trip ? 2 : 1; i < argc; ++i) parse_one(argv[i], with_round_trip, totals);
+  for (const std::string& file : files) {
+    const std::string name = std::filesystem::path(file).filename().string();
+    if (std::find(skipped.begin(), skipped.end(), name) != skipped.end()) continue;
+    parse_one(file, with_round_trip, totals);
+  }
   const double megabytes = static_cast<double>(totals.bytes) / 1e6;
   fmt::print("{} files, {} failed, {} flaws in bodies, {:.1f} MB in {:.3f} s = {:.1f} MB/s\n",
              totals.files, totals.failed, totals.flaws, megabytes, totals.spent.count(),
