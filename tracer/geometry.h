@@ -56,6 +56,9 @@ struct DeleteGeometryScratch {
 };
 using GeometryScratchPtr = std::unique_ptr<GeometryScratch, DeleteGeometryScratch>;
 
+/// Which hierarchy to build; `linear` asks every object and is there for tests.
+enum class Hierarchy : std::uint8_t { embree, linear };
+
 class Geometry {
  public:
   Geometry(Geometry&&) noexcept;
@@ -65,7 +68,8 @@ class Geometry {
   /// Flattens the scene's objects (transforms, inheritance of textures and interiors, objects §8
   /// and §9.3), fills the stores and builds the hierarchies. Reports what cannot be rendered.
   [[nodiscard]] static std::optional<Geometry> build(const scene::Scene& scene,
-                                                     Diagnostics& diagnostics);
+                                                     Diagnostics& diagnostics,
+                                                     Hierarchy hierarchy = Hierarchy::embree);
 
   [[nodiscard]] std::span<const Leaf> leaves() const;
   [[nodiscard]] std::span<const Surface> surfaces() const;

@@ -1,0 +1,25 @@
+// The hierarchy over everything in the scene, behind two questions. Two implementations: Embree,
+// and a plain loop that the tests compare it with.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "tracer/query.h"
+
+namespace durer::tracer {
+
+class Accel {
+ public:
+  virtual ~Accel() = default;
+
+  /// Leaves the nearest hit in `query.found`, its depth in `query.t_to`.
+  virtual void closest(RayQuery& query) const = 0;
+  /// True as soon as any hit is found; which one is not defined.
+  virtual bool any(RayQuery& query) const = 0;
+};
+
+[[nodiscard]] std::unique_ptr<Accel> make_embree_accel(std::span<const Targets* const> all);
+[[nodiscard]] std::unique_ptr<Accel> make_linear_accel(std::span<const Targets* const> all);
+
+}  // namespace durer::tracer

@@ -1,0 +1,224 @@
+// Embree chooses whom to ask: one user geometry per sort of target, boxes in single precision rounded
+// outward. The answers, in double precision, live in the query. The only file that includes Embree,
+// and the only one that knows whether it is version 3 or 4.
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "base/bounds.h"
+#include "tracer/accel/accel.h"
+#include "tracer/accel/box_tree.h"
+
+namespace durer::tracer {
+namespace {
+
+constexpr float float_infinity = std::numeric_limits<float>::infinity();
+
+#if RTC_VERSION_MAJOR >= 4
+using EmbreeContext = RTCRayQueryContext;
+void init_context(EmbreeContext& context) { rtcInitRayQueryContext(&context); }
+#else
+using EmbreeContext = RTCIntersectContext;
+void init_context(EmbreeContext& context) { rtcInitIntersectContext(&context); }
+#endif
+
+/// What a callback finds behind the context pointer that Embree hands through.
+struct Travelling : EmbreeContext {
+  RayQuery* query = nullptr;
+  double t_start = 0;  // of Embree's ray, on ours
+};
+
+float round_down(double x) {
+  const auto f = static_cast<float>(x);
+  return static_cast<double>(f) > x ? std::nextafter(f, -float_infinity) : f;
+}
+float round_up(double x) {
+  const auto f = static_cast<float>(x);
+  return static_cast<double>(f) < x ? std::nextafter(f, float_infinity) : f;
+}
+
+/// What the bounds callback needs.
+struct Member {
+  const Targets* targets = nullptr;
+  dvec3 center{0.0};  // of the scene: boxes and rays are given relative to it
+  double pad = 0;
+};
+
+void bounds_callback(const RTCBoundsFunctionArguments* args) {
+  const auto& member = *static_cast<const Member*>(args->geometryUserPtr);
+  const Bounds3 b = member.targets->surface_bounds(args->primID);
+  RTCBounds& out = *args->bounds_o;
+  if (b.empty() || b.infinite()) {  // an inverted box is left out of the hierarchy
+    out.lower_x = out.lower_y = out.lower_z = float_infinity;
+    out.upper_x = out.upper_y = out.upper_z = -float_infinity;
+    return;
+  }
+  const dvec3 lo = b.lo - member.center - member.pad;
+  const dvec3 hi = b.hi - member.center + member.pad;
+  out.lower_x = round_down(lo.x), out.lower_y = round_down(lo.y), out.lower_z = round_down(lo.z);
+  out.upper_x = round_up(hi.x), out.upper_y = round_up(hi.y), out.upper_z = round_up(hi.z);
+}
+
+bool ask(void* user, std::uint32_t index, void* context) {
+  const Targets& targets = *static_cast<const Member*>(user)->targets;
+  RayQuery& query = *static_cast<Travelling*>(context)->query;
+  const double before = query.t_to;
+  targets.nearest(targets, index, query);
+  return query.t_to < before;
+}
+
+void intersect_callback(const RTCIntersectFunctionNArguments* args) {
+  if (args->valid[0] == 0) return;
+  auto& travelling = *static_cast<Travelling*>(args->context);
+  if (!ask(args->geometryUserPtr, args->primID, &travelling)) return;
+  RTCRayN* ray = RTCRayHitN_RayN(args->rayhit, 1);
+  RTCRayN_tfar(ray, 1, 0) = round_up(travelling.query->t_to - travelling.t_start);
+}
+
+void occluded_callback(const RTCOccludedFunctionNArguments* args) {
+  if (args->valid[0] == 0) return;
+  if (!ask(args->geometryUserPtr, args->primID, args->context)) return;
+  RTCRayN_tfar(args->ray, 1, 0) = -float_infinity;
+}
+
+class EmbreeAccel final : public Accel {
+ public:
+  explicit EmbreeAccel(std::span<const Targets* const> all) {
+    collect(all);
+    device_ = rtcNewDevice(nullptr);
+    scene_ = rtcNewScene(device_);
+    const dvec3 center = box_.empty() ? dvec3(0.0) : (box_.lo + box_.hi) * 0.5;
+    // Embree rounds our ray to single precision and steps along it in single precision: errors of
+    // a few 2^-24 of the scene's size, which the boxes must cover.
+    const dvec3 extent = box_.empty() ? dvec3(0.0) : box_.hi - box_.lo;
+    const double pad = 1e-6 * std::max({extent.x, extent.y, extent.z});
+    members_.reserve(all.size());
+    for (const Targets* targets : all) {
+      if (targets->size() > 0) attach(members_.emplace_back(Member{targets, center, pad}));
+    }
+    rtcCommitScene(scene_);
+    center_ = center;
+    box_.lo -= pad;
+    box_.hi += pad;
+  }
+  ~EmbreeAccel() override {
+    rtcReleaseScene(scene_);
+    rtcReleaseDevice(device_);
+  }
+  EmbreeAccel(const EmbreeAccel&) = delete;
+  EmbreeAccel& operator=(const EmbreeAccel&) = delete;
+
+  void closest(RayQuery& query) const override {
+    for (const Lone& lone : infinite_) lone.targets->nearest(*lone.targets, lone.index, query);
+    Travelling context;
+    RTCRayHit rayhit;
+    if (!prepare(query, context, rayhit.ray)) return;
+    rayhit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    rayhit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+#if RTC_VERSION_MAJOR >= 4
+    RTCIntersectArguments args;
+    rtcInitIntersectArguments(&args);
+    args.context = &context;
+    rtcIntersect1(scene_, &rayhit, &args);
+#else
+    rtcIntersect1(scene_, &context, &rayhit);
+#endif
+  }
+
+  bool any(RayQuery& query) const override {
+    for (const Lone& lone : infinite_) {
+      lone.targets->nearest(*lone.targets, lone.index, query);
+      if (query.found.store != nullptr) return true;
+    }
+    Travelling context;
+    RTCRay ray;
+    if (!prepare(query, context, ray)) return false;
+#if RTC_VERSION_MAJOR >= 4
+    RTCOccludedArguments args;
+    rtcInitOccludedArguments(&args);
+    args.context = &context;
+    rtcOccluded1(scene_, &ray, &args);
+#else
+    rtcOccluded1(scene_, &context, &ray);
+#endif
+    return query.found.store != nullptr;
+  }
+
+ private:
+  struct Lone {
+    const Targets* targets;
+    std::uint32_t index;
+  };
+
+  void collect(std::span<const Targets* const> all) {
+    for (const Targets* targets : all) {
+      for (std::uint32_t i = 0; i < targets->size(); ++i) {
+        const Bounds3 b = targets->surface_bounds(i);
+        if (b.empty()) continue;
+        b.infinite() ? infinite_.push_back({targets, i}) : box_.add(b);
+      }
+    }
+  }
+
+  void attach(Member& member) {
+    RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(geometry, member.targets->size());
+    rtcSetGeometryUserData(geometry, &member);
+    rtcSetGeometryBoundsFunction(
+        geometry, [](const RTCBoundsFunctionArguments* args) { bounds_callback(args); }, nullptr);
+    rtcSetGeometryIntersectFunction(geometry, intersect_callback);
+    rtcSetGeometryOccludedFunction(geometry, occluded_callback);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene_, geometry);
+    rtcReleaseGeometry(geometry);
+  }
+
+  /// Makes Embree's ray: it begins where ours enters the box of the scene, so that single precision
+  /// is spent on the scene and not on the way there. False if the ray misses that box.
+  bool prepare(RayQuery& query, Travelling& context, RTCRay& ray) const {
+    double t_from = query.t_from;
+    double t_to = query.t_to;
+    if (box_.empty() || !BoxTree::clip(box_, query.ray.o, 1.0 / query.ray.d, t_from, t_to)) {
+      return false;
+    }
+    init_context(context);
+    context.query = &query;
+    context.t_start = t_from;
+    const dvec3 o = query.ray.at(t_from) - center_;
+    ray.org_x = static_cast<float>(o.x);
+    ray.org_y = static_cast<float>(o.y);
+    ray.org_z = static_cast<float>(o.z);
+    ray.dir_x = static_cast<float>(query.ray.d.x);
+    ray.dir_y = static_cast<float>(query.ray.d.y);
+    ray.dir_z = static_cast<float>(query.ray.d.z);
+    ray.tnear = 0;
+    ray.tfar = round_up((t_to - t_from) * (1 + 1e-6));
+    ray.time = 0;
+    ray.mask = 0xFFFFFFFF;
+    ray.id = 0;
+    ray.flags = 0;
+    return true;
+  }
+
+  RTCDevice device_ = nullptr;
+  RTCScene scene_ = nullptr;
+  std::vector<Member> members_;
+  std::vector<Lone> infinite_;
+  Bounds3 box_;  // of everything finite, padded
+  dvec3 center_{0.0};
+};
+
+}  // namespace
+
+std::unique_ptr<Accel> make_embree_accel(std::span<const Targets* const> all) {
+  return std::make_unique<EmbreeAccel>(all);
+}
+
+}  // namespace durer::tracer

@@ -1,0 +1,128 @@
+#include "tracer/csg/build.h"
+
+#include <algorithm>
+
+namespace durer::tracer {
+namespace {
+
+class SolidBuilder {
+ public:
+  SolidBuilder(const Flat& flat, const PlacePart& place) : flat_(flat), place_(place) {}
+
+  Solid run(std::uint32_t root) {
+    Extent extent;
+    if (flat_.nodes[root].op == Op::leaf) {  // the root of a solid is never a leaf
+      add_node(Op::any, no_node, 1);
+      extent = add(root, 0);
+      solid_.counts[0] = extent.value ? 1 : 0;
+    } else {
+      extent = add(root, no_node);
+    }
+    solid_.surface = BoxTree::grown(extent.surface);
+    solid_.inside = BoxTree::grown(extent.inside);
+    solid_.boxes = BoxTree(boxes_);
+    return std::move(solid_);
+  }
+
+ private:
+  /// What a subtree can reach: where its surface can be seen, where its inside can be, and whether
+  /// it is true where all its leaves are empty.
+  struct Extent {
+    Bounds3 surface;
+    Bounds3 inside;
+    bool value = false;
+  };
+
+  Extent add(std::uint32_t flat_node, std::uint32_t parent) {
+    const FlatNode& node = flat_.nodes[flat_node];
+    if (node.op == Op::leaf) return add_leaf(flat_.parts[node.part], parent);
+    const std::uint32_t index =
+        add_node(node.op, parent, static_cast<std::uint32_t>(node.children.size()));
+    Extent extent;
+    if (node.op == Op::all) extent.inside = Bounds3::everything();
+    for (const std::uint32_t child : node.children) {
+      const Extent e = add(child, index);
+      if (e.value) ++solid_.counts[index];
+      extent.surface.add(e.surface);
+      if (node.op == Op::all) {
+        extent.inside = extent.inside.intersection(e.inside);
+      } else {
+        extent.inside.add(e.inside);
+      }
+    }
+    // A surface counts inside the others and lies on the border of its own inside.
+    if (node.op == Op::all) extent.surface = extent.surface.intersection(extent.inside);
+    extent.value = solid_.nodes[index].value(solid_.counts[index]);
+    return extent;
+  }
+
+  Extent add_leaf(const FlatLeaf& part, std::uint32_t parent) {
+    const auto ref = place_(part);
+    if (!ref) return add_nothing(part.inverted, parent);
+    const auto index = static_cast<std::uint32_t>(solid_.leaves.size());
+    solid_.leaves.push_back(
+        {ref->store, ref->shape, parent, slot_of(ref->store), ref->inverted, part.muted});
+    const Bounds3 inside = ref->store->inside_bounds(ref->shape);
+    if (inside.infinite()) {
+      solid_.endless.push_back(index);
+    } else {
+      solid_.leaf_of_box.push_back(index);
+      boxes_.push_back(inside);
+    }
+    return {ref->store->surface_bounds(ref->shape),
+            ref->inverted ? Bounds3::everything() : inside, ref->inverted};
+  }
+
+  // A primitive without surface and inside is a union of nothing; its inverse fills space.
+  Extent add_nothing(bool inverted, std::uint32_t parent) {
+    add_node(inverted ? Op::all : Op::any, parent, 0);
+    return {{}, inverted ? Bounds3::everything() : Bounds3{}, inverted};
+  }
+
+  std::uint32_t add_node(Op op, std::uint32_t parent, std::uint32_t children) {
+    solid_.nodes.push_back({op, parent, children});
+    solid_.counts.push_back(0);
+    return static_cast<std::uint32_t>(solid_.nodes.size() - 1);
+  }
+
+  std::uint32_t slot_of(const Store* store) {
+    const auto at = std::find(solid_.stores.begin(), solid_.stores.end(), store);
+    const auto slot = static_cast<std::uint32_t>(at - solid_.stores.begin());
+    if (at == solid_.stores.end()) solid_.stores.push_back(store);
+    return slot;
+  }
+
+  const Flat& flat_;
+  const PlacePart& place_;
+  Solid solid_;
+  std::vector<Bounds3> boxes_;
+};
+
+}  // namespace
+
+std::uint32_t add_solid(Parts& parts, const Flat& flat, std::uint32_t node,
+                        const PlacePart& place) {
+  Solid solid = SolidBuilder(flat, place).run(node);
+  solid.first_node = parts.node_count;
+  solid.first_leaf = parts.leaf_count;
+  parts.node_count += static_cast<std::uint32_t>(solid.nodes.size());
+  parts.leaf_count += static_cast<std::uint32_t>(solid.leaves.size());
+  parts.solids.push_back(std::move(solid));
+  return static_cast<std::uint32_t>(parts.solids.size() - 1);
+}
+
+SweepState Parts::make_state() const {
+  SweepState state;
+  state.counts.reserve(node_count);
+  std::size_t slots = 0;
+  for (const Solid& solid : solids) {
+    state.counts.insert(state.counts.end(), solid.counts.begin(), solid.counts.end());
+    slots = std::max(slots, solid.stores.size());
+  }
+  state.inside.assign(leaf_count, 0);
+  state.solids.asked.resize(slots);
+  state.gates.asked.resize(slots);
+  return state;
+}
+
+}  // namespace durer::tracer

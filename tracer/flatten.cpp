@@ -1,0 +1,244 @@
+#include "tracer/flatten.h"
+
+#include <cstring>
+#include <optional>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "tracer/primitives/store.h"
+
+namespace durer::tracer {
+namespace {
+
+using scene::NodeKind;
+using scene::none;
+using scene::Object;
+
+/// What an object receives from those around it.
+struct Context {
+  Transform to_world;  // from the space around the object
+  bool inverted = false;
+  bool scenery = true;   // false: part of a clip or bound, never seen
+  bool muted = false;    // part of a clip
+  bool splits = true;    // a plain union here falls apart into its children
+  bool flags_count = true;  // inside an intersection the flags of children do not (objects §9.2)
+  std::uint8_t mask = seen_by_image | seen_by_reflection | casts_shadow;
+  bool double_illuminate = false;
+  std::optional<bool> hollow;
+  scene::TextureUse texture{none, {}};  // texture space → world
+  scene::TextureUse interior_texture{none, {}};
+  std::uint32_t interior = none;  // instance
+  std::uint32_t gate = none;
+};
+
+/// Finds the surface that looks the same, so that thousands of objects can share one.
+class SurfaceTable {
+ public:
+  explicit SurfaceTable(std::vector<Surface>& surfaces) : surfaces_(&surfaces) {}
+
+  std::uint32_t add(const Surface& s) {
+    const auto next = static_cast<std::uint32_t>(surfaces_->size());
+    const auto [at, is_new] = known_.try_emplace(key(s), next);
+    if (is_new) surfaces_->push_back(s);
+    return at->second;
+  }
+
+ private:
+  static void append(std::string& key, const scene::TextureUse& use) {
+    key.append(reinterpret_cast<const char*>(&use.texture), sizeof use.texture);
+    if (use.texture == none || use.transform.is_identity()) return;
+    static_assert(sizeof(Affine) == 12 * sizeof(double), "an Affine is plain numbers");
+    key.append(reinterpret_cast<const char*>(&use.transform.forward), sizeof(Affine));
+  }
+  static std::string key(const Surface& s) {
+    std::string key(1, s.double_illuminate ? '1' : '0');
+    append(key, s.texture);
+    append(key, s.interior_texture);
+    return key;
+  }
+
+  std::vector<Surface>* surfaces_;
+  std::unordered_map<std::string, std::uint32_t> known_;
+};
+
+class Flattener {
+ public:
+  Flattener(const scene::Scene& scene, Diagnostics& diagnostics)
+      : scene_(scene), diagnostics_(diagnostics), surfaces_(flat_.surfaces) {}
+
+  Flat run() {
+    for (const scene::Root& root : scene_.roots) {
+      default_texture_ = root.default_texture;
+      if (const std::uint32_t node = visit(root.object, {}); node != none) {
+        flat_.entries.push_back({node, entry_interior_});
+      }
+    }
+    return std::move(flat_);
+  }
+
+ private:
+  /// The node made for the object; none if it has fallen apart, or has no geometry.
+  std::uint32_t visit(scene::ObjectId id, const Context& around) {
+    const Object& object = scene_.objects[id];
+    if (object.kind == NodeKind::unsupported || !object.unsupported.empty()) {
+      report(id, object);
+      return none;
+    }
+    if (object.kind == NodeKind::light) {
+      if (around.scenery) add_light(object, around);
+      return none;
+    }
+    const Context own = inherit(object, around);
+    const std::uint32_t body =
+        object.kind == NodeKind::primitive ? add_leaf(object, own) : add_csg(object, own, around);
+    if (body == none) return none;
+    if (own.scenery) entry_interior_ = own.interior;
+    return clip(object, around, body);
+  }
+
+  Context inherit(const Object& object, const Context& around) {
+    Context own = around;
+    own.to_world = object.transform.then(around.to_world);
+    own.inverted = around.inverted != object.inverse;
+    own.double_illuminate = around.double_illuminate || object.double_illuminate;
+    if (object.hollow) own.hollow = object.hollow;
+    if (own.flags_count) {
+      if (object.no_image) own.mask &= static_cast<std::uint8_t>(~seen_by_image);
+      if (object.no_reflection) own.mask &= static_cast<std::uint8_t>(~seen_by_reflection);
+      if (object.no_shadow) own.mask &= static_cast<std::uint8_t>(~casts_shadow);
+    }
+    if (!own.scenery) return own;
+    const auto place = [&](const scene::TextureUse& use, scene::TextureUse& to) {
+      if (use.texture != none) to = {use.texture, use.transform.then(around.to_world)};
+    };
+    place(object.texture, own.texture);
+    place(object.interior_texture, own.interior_texture);
+    if (object.interior != none || own.interior == none) {
+      own.interior = static_cast<std::uint32_t>(flat_.interiors.size());
+      flat_.interiors.push_back({object.interior, false});
+    }
+    flat_.interiors[own.interior].hollow = own.hollow.value_or(false);
+    if (!object.bounds.empty() && object.kind != NodeKind::primitive) add_gate(object, around, own);
+    return own;
+  }
+
+  std::uint32_t add_leaf(const Object& object, const Context& own) {
+    FlatLeaf part{&object, own.to_world, own.inverted, own.muted, own.mask, own.gate, none};
+    if (own.scenery) {
+      Surface surface{own.texture, own.interior_texture, own.double_illuminate};
+      if (surface.texture.texture == none) surface.texture = {default_texture_, {}};
+      part.leaf = static_cast<std::uint32_t>(flat_.leaves.size());
+      flat_.leaves.push_back({surfaces_.add(surface), own.interior, object.origin});
+    }
+    flat_.parts.push_back(part);
+    return add_node({Op::leaf, static_cast<std::uint32_t>(flat_.parts.size() - 1), {}});
+  }
+
+  // Inversion goes down to the leaves: the inverse of a union is the intersection of the inverses,
+  // that of an intersection the merge of the inverses (objects §8.5).
+  static Op op_of(NodeKind kind, bool inverted) {
+    if (kind == NodeKind::intersection || kind == NodeKind::difference) {
+      return inverted ? Op::merge : Op::all;
+    }
+    if (inverted) return Op::all;
+    return kind == NodeKind::merge ? Op::merge : Op::any;
+  }
+
+  std::uint32_t add_csg(const Object& object, const Context& own, const Context& around) {
+    const Op op = op_of(object.kind, own.inverted);
+    Context inner = own;
+    inner.splits = around.splits && op == Op::any && object.clips.empty();
+    inner.flags_count = own.flags_count && op != Op::all;
+    FlatNode node{op, none, {}};
+    for (std::size_t i = 0; i < object.children.size(); ++i) {
+      inner.inverted = own.inverted != (object.kind == NodeKind::difference && i > 0);
+      const std::uint32_t child = visit(object.children[i], inner);
+      if (child == none) continue;
+      if (inner.splits) {
+        flat_.entries.push_back({child, entry_interior_});
+      } else {
+        node.children.push_back(child);
+      }
+    }
+    return node.children.empty() ? none : add_node(std::move(node));
+  }
+
+  /// Clipping keeps what lies inside all clips, and makes no caps: the clips take part as an
+  /// intersection whose surfaces are never seen.
+  std::uint32_t clip(const Object& object, const Context& around, std::uint32_t body) {
+    if (object.clips.empty()) return body;
+    FlatNode node{Op::all, none, {body}};
+    Context hidden = behind_the_scenes(object.clip_transform, around);
+    hidden.muted = true;
+    for (const scene::ObjectId id : object.clips) {
+      if (const std::uint32_t child = visit(id, hidden); child != none) {
+        node.children.push_back(child);
+      }
+    }
+    return add_node(std::move(node));
+  }
+
+  void add_gate(const Object& object, const Context& around, Context& own) {
+    FlatGate gate{{}, around.gate};
+    const Context hidden = behind_the_scenes(object.bound_transform, around);
+    for (const scene::ObjectId id : object.bounds) {
+      if (const std::uint32_t node = visit(id, hidden); node != none) gate.nodes.push_back(node);
+    }
+    if (gate.nodes.empty()) return;
+    own.gate = static_cast<std::uint32_t>(flat_.gates.size());
+    flat_.gates.push_back(std::move(gate));
+  }
+
+  static Context behind_the_scenes(const Transform& space, const Context& around) {
+    Context hidden;
+    hidden.to_world = space.then(around.to_world);
+    hidden.scenery = false;
+    hidden.splits = false;
+    hidden.mask = 0;
+    return hidden;
+  }
+
+  void add_light(const Object& object, const Context& around) {
+    scene::Light light = scene_.lights[object.light];
+    const Transform to_world = object.transform.then(around.to_world);
+    light.position = to_world.point(light.position);
+    light.point_at = to_world.point(light.point_at);
+    flat_.lights.push_back(light);
+  }
+
+  std::uint32_t add_node(FlatNode node) {
+    flat_.nodes.push_back(std::move(node));
+    return static_cast<std::uint32_t>(flat_.nodes.size() - 1);
+  }
+
+  void report(scene::ObjectId id, const Object& object) {
+    if (!reported_.insert(id).second) return;
+    const std::string_view what =
+        object.unsupported.empty() ? std::string_view("object") : object.unsupported;
+    Diagnostic d;
+    d.code = Code::not_supported;
+    d.span = scene_.origins[object.origin].span;
+    d.message = std::string(what) + " is not supported yet";
+    for (auto at = scene_.origins[object.origin].parent; at != 0; at = scene_.origins[at].parent) {
+      d.trace.push_back({scene_.origins[at].span, "expanded from here"});
+    }
+    diagnostics_.report(std::move(d));
+  }
+
+  const scene::Scene& scene_;
+  Diagnostics& diagnostics_;
+  Flat flat_;
+  SurfaceTable surfaces_;
+  scene::TextureId default_texture_ = none;
+  std::uint32_t entry_interior_ = 0;  // of the object that `visit` has just returned
+  std::unordered_set<scene::ObjectId> reported_;
+};
+
+}  // namespace
+
+Flat flatten(const scene::Scene& scene, Diagnostics& diagnostics) {
+  return Flattener(scene, diagnostics).run();
+}
+
+}  // namespace durer::tracer

@@ -1,0 +1,65 @@
+// The scene's forest of objects → a list of things in world space, each either one primitive or a
+// tree of solid geometry. Transforms, inversions and whatever children inherit are resolved here.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "scene/scene.h"
+#include "tracer/geometry.h"
+
+namespace durer::tracer {
+
+/// One primitive as placed.
+struct FlatLeaf {
+  const scene::Object* object = nullptr;
+  Transform to_world;
+  bool inverted = false;
+  bool muted = false;  // part of a clip: its surface is never seen
+  std::uint8_t mask = 0;
+  std::uint32_t gate = scene::none;  // index into Flat::gates
+  std::uint32_t leaf = scene::none;  // index into Flat::leaves; none: part of a clip or bound
+};
+
+enum class Op : std::uint8_t {
+  leaf,
+  any,    // union: hits of every child count
+  merge,  // hits inside other children do not count
+  all,    // intersection: hits count inside all other children
+};
+
+struct FlatNode {
+  Op op = Op::leaf;
+  std::uint32_t part = scene::none;     // leaf: index into Flat::parts
+  std::vector<std::uint32_t> children;  // others: indices into Flat::nodes
+};
+
+/// What is tested against the rest of the scene as one thing.
+struct FlatEntry {
+  std::uint32_t node = 0;
+  std::uint32_t interior = 0;  // of the object as a whole
+};
+
+/// `bounded_by`: a ray must meet each of these trees, and pass the outer gate.
+struct FlatGate {
+  std::vector<std::uint32_t> nodes;
+  std::uint32_t outer = scene::none;
+};
+
+struct Flat {
+  std::vector<Leaf> leaves;
+  std::vector<Surface> surfaces;
+  std::vector<InteriorInstance> interiors;
+  std::vector<scene::Light> lights;
+
+  std::vector<FlatLeaf> parts;
+  std::vector<FlatNode> nodes;
+  std::vector<FlatEntry> entries;
+  std::vector<FlatGate> gates;
+};
+
+/// Reports every object that cannot be rendered; the result is then incomplete.
+[[nodiscard]] Flat flatten(const scene::Scene& scene, Diagnostics& diagnostics);
+
+}  // namespace durer::tracer

@@ -1,0 +1,18 @@
+# Shapes, CSG and hierarchy: durer::geometry.
+durer_entries(primitive_sources primitives/primitives.def primitives)
+add_library(durer_geometry STATIC
+  flatten.cpp
+  geometry.cpp
+  geometry_build.cpp
+  accel/box_tree.cpp
+  accel/embree.cpp
+  accel/linear.cpp
+  csg/build.cpp
+  csg/gate.cpp
+  csg/solid_targets.cpp
+  csg/sweep.cpp
+  primitives/registry.cpp
+  primitives/tube.cpp
+  ${primitive_sources})
+add_library(durer::geometry ALIAS durer_geometry)
+target_link_libraries(durer_geometry PUBLIC durer_common durer::scene PRIVATE embree)

@@ -1,0 +1,94 @@
+#include "tracer/geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "tracer/geometry_state.h"
+
+namespace durer::tracer {
+namespace {
+
+std::uint8_t mask_of(RayKind kind) {
+  switch (kind) {
+    case RayKind::image: return seen_by_image;
+    case RayKind::reflection: return seen_by_reflection;
+    case RayKind::shadow: return casts_shadow;
+  }
+  return 0;
+}
+
+}  // namespace
+
+struct GeometryScratch {
+  SweepState sweep;
+  std::vector<std::uint32_t> bodies;
+};
+void DeleteGeometryScratch::operator()(GeometryScratch* s) const { delete s; }
+
+Geometry::Geometry(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Geometry::Geometry(Geometry&&) noexcept = default;
+Geometry& Geometry::operator=(Geometry&&) noexcept = default;
+Geometry::~Geometry() = default;
+
+std::optional<Geometry> Geometry::build(const scene::Scene& scene, Diagnostics& diagnostics,
+                                        Hierarchy hierarchy) {
+  auto state = std::make_unique<State>();
+  const std::size_t reported = diagnostics.all().size();
+  state->build(scene, diagnostics);
+  for (std::size_t i = reported; i < diagnostics.all().size(); ++i) {
+    if (diagnostics.all()[i].severity == Severity::error) return std::nullopt;
+  }
+  state->build_accel(hierarchy);
+  return Geometry(std::move(state));
+}
+
+std::span<const Leaf> Geometry::leaves() const { return state_->leaves; }
+std::span<const Surface> Geometry::surfaces() const { return state_->surfaces; }
+std::span<const InteriorInstance> Geometry::interiors() const { return state_->interiors; }
+std::span<const scene::Light> Geometry::lights() const { return state_->lights; }
+
+void Geometry::set_opaque(std::vector<bool> by_surface) { state_->set_opaque(by_surface); }
+bool Geometry::has_translucent_shadows() const { return state_->translucent_shadows; }
+
+GeometryScratchPtr Geometry::make_scratch() const {
+  return GeometryScratchPtr(new GeometryScratch{state_->parts.make_state(), {}});
+}
+
+bool Geometry::closest(const Ray& ray, double t_from, double t_to, RayKind kind, Hit& hit,
+                       GeometryScratch& scratch) const {
+  RayQuery query{ray, t_from, t_to, mask_of(kind), {}, &state_->parts, &scratch.sweep};
+  state_->accel->closest(query);
+  const Found& found = query.found;
+  if (found.store == nullptr) return false;
+  hit.t = query.t_to;
+  hit.leaf = found.leaf;
+  hit.p = ray.at(hit.t);
+  hit.n = found.store->normal(found.shape, hit.p, found.part);
+  if (state_->leaf_inverted[found.leaf] != 0) hit.n = -hit.n;
+  return true;
+}
+
+bool Geometry::occluded(const Ray& ray, double t_from, double t_to,
+                        GeometryScratch& scratch) const {
+  const double after = std::nextafter(t_from, std::numeric_limits<double>::infinity());
+  RayQuery query{ray, after, t_to, blocks_light, {}, &state_->parts, &scratch.sweep};
+  return state_->accel->any(query);
+}
+
+void Geometry::containing(dvec3 p, std::vector<std::uint32_t>& interiors,
+                          GeometryScratch& scratch) const {
+  const State& s = *state_;
+  std::vector<std::uint32_t>& found = scratch.bodies;
+  found.clear();
+  const auto test = [&](std::uint32_t i) {
+    if (s.body_contains(s.bodies[i], p, scratch.sweep)) found.push_back(i);
+  };
+  for (const std::uint32_t i : s.endless_bodies) test(i);
+  s.body_boxes.at(p, [&](std::uint32_t box) { test(s.body_of_box[box]); });
+  std::sort(found.begin(), found.end());
+  for (const std::uint32_t i : found) interiors.push_back(s.bodies[i].interior);
+}
+
+}  // namespace durer::tracer

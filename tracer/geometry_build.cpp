@@ -1,0 +1,124 @@
+#include "tracer/csg/build.h"
+#include "tracer/csg/sweep.h"
+#include "tracer/flatten.h"
+#include "tracer/geometry_state.h"
+#include "tracer/primitives/describe.h"
+#include "tracer/primitives/registry.h"
+
+namespace durer::tracer {
+
+void Geometry::State::build(const scene::Scene& scene, Diagnostics& diagnostics) {
+  Flat flat = flatten(scene, diagnostics);
+  for (const PrimitiveType* type : primitive_types()) {
+    lone.push_back(type->make_stores());
+    operands.push_back(type->make_stores());
+  }
+  solids = std::make_unique<SolidTargets>(parts);
+  leaf_inverted.assign(flat.leaves.size(), 0);
+  parts.gate_of_leaf.assign(flat.leaves.size(), scene::none);
+  add_gates(flat);
+  for (const FlatEntry& entry : flat.entries) add_entry(flat, entry);
+  solids->update_masks();
+  index_bodies();
+  leaves = std::move(flat.leaves);
+  surfaces = std::move(flat.surfaces);
+  interiors = std::move(flat.interiors);
+  lights = std::move(flat.lights);
+}
+
+void Geometry::State::add_gates(const Flat& flat) {
+  const auto place_part = [this](const FlatLeaf& part) { return place(operands, part); };
+  for (const FlatGate& flat_gate : flat.gates) {
+    Gate gate{{}, flat_gate.outer};
+    for (const std::uint32_t node : flat_gate.nodes) {
+      gate.solids.push_back(add_solid(parts, flat, node, place_part));
+    }
+    parts.gates.push_back(std::move(gate));
+  }
+}
+
+void Geometry::State::add_entry(const Flat& flat, const FlatEntry& entry) {
+  const FlatNode& node = flat.nodes[entry.node];
+  if (node.op == Op::leaf) {
+    const auto ref = place(lone, flat.parts[node.part]);
+    if (ref) bodies.push_back({ref->store, ref->shape, entry.interior, ref->inverted});
+    return;
+  }
+  const std::uint32_t solid = add_solid(
+      parts, flat, entry.node, [this](const FlatLeaf& part) { return place(operands, part); });
+  solids->add(solid);
+  bodies.push_back({nullptr, solid, entry.interior, false});
+}
+
+std::optional<ShapeRef> Geometry::State::place(std::vector<TypeStores>& stores,
+                                               const FlatLeaf& part) {
+  const std::uint32_t type = part.object->type;
+  const auto ref =
+      primitive_types()[type]->place(stores[type], part.object->args, part.to_world, part.inverted);
+  if (!ref) return ref;
+  Tag& tag = ref->store->tags[ref->shape];
+  tag = {part.leaf, part.mask, false};
+  if (part.leaf == scene::none) return ref;
+  leaf_inverted[part.leaf] = ref->inverted ? 1 : 0;
+  if (part.gate != scene::none &&
+      !gate_holds(parts, part.gate, ref->store->surface_bounds(ref->shape))) {
+    tag.gated = true;
+    parts.gate_of_leaf[part.leaf] = part.gate;
+  }
+  return ref;
+}
+
+void Geometry::State::index_bodies() {
+  std::vector<Bounds3> boxes;
+  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+    const Body& body = bodies[i];
+    const Bounds3 b =
+        body.store != nullptr ? body.store->inside_bounds(body.index) : parts.solids[body.index].inside;
+    if (body.inverted || b.infinite()) {
+      endless_bodies.push_back(i);
+    } else {
+      body_of_box.push_back(i);
+      boxes.push_back(b);
+    }
+  }
+  body_boxes = BoxTree(boxes);
+}
+
+void Geometry::State::build_accel(Hierarchy hierarchy) {
+  std::vector<const Targets*> all;
+  for (const TypeStores& s : lone) {
+    all.push_back(s.baked.get());
+    all.push_back(s.placed.get());
+  }
+  all.push_back(solids.get());
+  accel = hierarchy == Hierarchy::linear ? make_linear_accel(all) : make_embree_accel(all);
+}
+
+void Geometry::State::set_opaque(const std::vector<bool>& by_surface) {
+  translucent_shadows = false;
+  const auto update = [&](Store& store) {
+    for (Tag& tag : store.tags) {
+      if ((tag.mask & casts_shadow) == 0) continue;
+      tag.mask &= static_cast<std::uint8_t>(~blocks_light);
+      if (by_surface[leaves[tag.leaf].surface]) {
+        tag.mask |= blocks_light;
+      } else {
+        translucent_shadows = true;
+      }
+    }
+  };
+  for (const std::vector<TypeStores>* stores : {&lone, &operands}) {
+    for (const TypeStores& s : *stores) {
+      update(*s.baked);
+      update(*s.placed);
+    }
+  }
+  solids->update_masks();
+}
+
+bool Geometry::State::body_contains(const Body& body, dvec3 p, SweepState& sweep) const {
+  if (body.store == nullptr) return solid_contains(parts.solids[body.index], p, sweep);
+  return body.store->contains(body.index, p) != body.inverted;
+}
+
+}  // namespace durer::tracer

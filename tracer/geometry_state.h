@@ -1,0 +1,54 @@
+// What a Geometry holds. Built once (geometry_build.cpp), then only read.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "tracer/accel/accel.h"
+#include "tracer/accel/box_tree.h"
+#include "tracer/csg/solid_targets.h"
+#include "tracer/geometry.h"
+#include "tracer/primitives/typed_store.h"
+
+namespace durer::tracer {
+
+/// An object of the scene as `containing` needs it: a lone primitive, or a solid.
+struct Body {
+  const Store* store = nullptr;  // null: a solid
+  std::uint32_t index = 0;       // shape, or index into Parts::solids
+  std::uint32_t interior = 0;
+  bool inverted = false;
+};
+
+struct Geometry::State {
+  std::vector<Leaf> leaves;
+  std::vector<std::uint8_t> leaf_inverted;  // normals are negated
+  std::vector<Surface> surfaces;
+  std::vector<InteriorInstance> interiors;
+  std::vector<scene::Light> lights;
+
+  std::vector<TypeStores> lone;      // per primitive type: those that stand alone …
+  std::vector<TypeStores> operands;  // … and those inside solids, clips and bounds
+  Parts parts;
+  std::unique_ptr<SolidTargets> solids;
+  std::unique_ptr<Accel> accel;
+
+  std::vector<Body> bodies;  // in order of declaration
+  BoxTree body_boxes;        // of those that are finite …
+  std::vector<std::uint32_t> body_of_box;
+  std::vector<std::uint32_t> endless_bodies;  // … and the others
+  bool translucent_shadows = true;
+
+  void build(const scene::Scene& scene, Diagnostics& diagnostics);
+  void build_accel(Hierarchy hierarchy);
+  [[nodiscard]] bool body_contains(const Body& body, dvec3 p, SweepState& sweep) const;
+  void set_opaque(const std::vector<bool>& by_surface);
+
+ private:
+  void add_gates(const Flat& flat);
+  void add_entry(const Flat& flat, const FlatEntry& entry);
+  std::optional<ShapeRef> place(std::vector<TypeStores>& stores, const FlatLeaf& part);
+  void index_bodies();
+};
+
+}  // namespace durer::tracer

@@ -1,0 +1,72 @@
+// Arrays of compiled primitives, one per type and kind of placement. The virtual functions here are
+// called per type and batch, or once per hit; what runs per object is `nearest`, a plain function
+// that was compiled for the type.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/bounds.h"
+#include "base/ray.h"
+#include "tracer/primitives/crossing.h"
+
+namespace durer::tracer {
+
+/// Who may see an object; a query sees it if the masks share a bit.
+enum Visibility : std::uint8_t {
+  seen_by_image = 1,
+  seen_by_reflection = 2,
+  casts_shadow = 4,
+  blocks_light = 8,  // casts shadow and is opaque: no light passes at all
+};
+
+/// What hangs on a primitive besides its shape. Read only after the shape was hit.
+struct Tag {
+  std::uint32_t leaf = 0;
+  std::uint8_t mask = 0;
+  bool gated = false;  // the leaf has bounds that a ray must meet (objects §4)
+};
+
+/// A program's leaf and where its shape lies in the store.
+struct LeafShape {
+  std::uint32_t leaf = 0;
+  std::uint32_t shape = 0;
+};
+
+struct RayQuery;
+
+/// Objects of one sort, as the hierarchy sees them: boxes, and one function to ask.
+class Targets {
+ public:
+  virtual ~Targets() = default;
+
+  /// Lowers `query.t_to` and fills `query.found` if object `index` has a visible hit in range.
+  using NearestFunction = void (*)(const Targets& targets, std::uint32_t index, RayQuery& query);
+
+  [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(tags.size()); }
+  /// World box of the surface that can be seen.
+  [[nodiscard]] virtual Bounds3 surface_bounds(std::uint32_t index) const = 0;
+
+  NearestFunction nearest = nullptr;
+  std::vector<Tag> tags;
+};
+
+/// Placed primitives of one type.
+class Store : public Targets {
+ public:
+  /// World box of the inside: everything, for half-spaces.
+  [[nodiscard]] virtual Bounds3 inside_bounds(std::uint32_t index) const = 0;
+  [[nodiscard]] virtual bool contains(std::uint32_t index, dvec3 p) const = 0;
+  /// World unit normal at the world point `p`, outward (of the primitive before any inversion).
+  [[nodiscard]] virtual dvec3 normal(std::uint32_t index, dvec3 p, std::uint32_t part) const = 0;
+  /// Appends the crossings of the whole line with each of `leaves`, and to `begun` those leaves
+  /// whose inside holds the line's beginning at t = -infinity.
+  virtual void crossings(std::span<const LeafShape> leaves, const Ray& ray, Crossings& out,
+                         std::vector<std::uint32_t>& begun) const = 0;
+  /// True if the inside is convex: a box lies in it if its corners do.
+  [[nodiscard]] virtual bool convex() const = 0;
+};
+
+}  // namespace durer::tracer

@@ -1,0 +1,188 @@
+// The store of one shape type. A shape is a struct with
+//   Bounds3 bounds() const;                               of its surface
+//   bool contains(dvec3 p) const;
+//   dvec3 normal(dvec3 p, std::uint32_t part) const;      outward, any length
+//   void crossings(const Ray&, Crossings&) const;         whole line, any order, any |d|
+//   std::optional<Nearest> nearest(const Ray&, double t_from, double t_to) const;
+// and optionally
+//   bool begins_inside(const Ray&) const;                 unbounded inside: state at t = -infinity
+//   Bounds3 inside_bounds() const;                        if it is not bounds()
+//   std::optional<Shape> moved(const Transform&) const;   the shape in another space, if it has one
+//   Shape flipped() const;                                the inverse, if it is such a shape too
+//   static constexpr bool convex = true;
+//   static constexpr double far = …;                      greatest depth at which it is seen
+#pragma once
+
+#include <concepts>
+#include <glm/geometric.hpp>
+#include <memory>
+#include <optional>
+
+#include "base/transform.h"
+#include "tracer/primitives/store.h"
+#include "tracer/query.h"
+
+namespace durer::tracer {
+
+/// A shape and the map from its canonical frame to object space.
+template <typename S>
+struct Framed {
+  S shape;
+  Transform frame;
+};
+
+/// Where a primitive went.
+struct ShapeRef {
+  Store* store = nullptr;
+  std::uint32_t shape = 0;
+  bool inverted = false;  // still to be applied: the shape could not flip itself
+};
+
+/// The stores of one type: shapes that could be moved into world space, and shapes that are asked
+/// in a space of their own.
+struct TypeStores {
+  std::unique_ptr<Store> baked;
+  std::unique_ptr<Store> placed;
+};
+
+template <typename S>
+concept Shape = requires(const S& s, dvec3 p, const Ray& ray, Crossings& out) {
+  { s.bounds() } -> std::same_as<Bounds3>;
+  { s.contains(p) } -> std::same_as<bool>;
+  { s.normal(p, 0U) } -> std::same_as<dvec3>;
+  { s.crossings(ray, out) } -> std::same_as<void>;
+  { s.nearest(ray, 0.0, 0.0) } -> std::same_as<std::optional<Nearest>>;
+};
+
+/// A shape whose space is the world.
+template <Shape S>
+struct Baked {
+  S shape;
+
+  [[nodiscard]] const Ray& to_object(const Ray& ray) const { return ray; }
+  [[nodiscard]] dvec3 to_object(dvec3 p) const { return p; }
+  [[nodiscard]] dvec3 normal_to_world(dvec3 n) const { return n; }
+  [[nodiscard]] Bounds3 to_world(const Bounds3& b) const { return b; }
+};
+
+/// A shape in a space of its own. The ray's direction is not renormalised there, so that t stays
+/// a world distance.
+template <Shape S>
+struct Placed {
+  S shape;
+  Affine to_shape;
+
+  [[nodiscard]] Ray to_object(const Ray& ray) const {
+    return {to_shape.point(ray.o), to_shape.vector(ray.d)};
+  }
+  [[nodiscard]] dvec3 to_object(dvec3 p) const { return to_shape.point(p); }
+  [[nodiscard]] dvec3 normal_to_world(dvec3 n) const { return to_shape.covector(n); }
+  [[nodiscard]] Bounds3 to_world(const Bounds3& b) const {
+    const auto forward = to_shape.inverse();
+    return forward ? b.transformed(*forward) : Bounds3{};
+  }
+};
+
+template <template <Shape> typename Placement, Shape S>
+class TypedStore final : public Store {
+ public:
+  using Item = Placement<S>;
+
+  TypedStore() { nearest = &nearest_of; }
+
+  std::uint32_t add(Item item) {
+    items_.push_back(std::move(item));
+    tags.emplace_back();
+    return size() - 1;
+  }
+
+  [[nodiscard]] Bounds3 surface_bounds(std::uint32_t index) const override {
+    return items_[index].to_world(items_[index].shape.bounds());
+  }
+  [[nodiscard]] Bounds3 inside_bounds(std::uint32_t index) const override {
+    if constexpr (requires(const S& s) { s.inside_bounds(); }) {
+      return items_[index].to_world(items_[index].shape.inside_bounds());
+    } else {
+      return surface_bounds(index);
+    }
+  }
+  [[nodiscard]] bool contains(std::uint32_t index, dvec3 p) const override {
+    return items_[index].shape.contains(items_[index].to_object(p));
+  }
+  [[nodiscard]] dvec3 normal(std::uint32_t index, dvec3 p, std::uint32_t part) const override {
+    const Item& item = items_[index];
+    return glm::normalize(item.normal_to_world(item.shape.normal(item.to_object(p), part)));
+  }
+  [[nodiscard]] bool convex() const override {
+    if constexpr (requires { S::convex; }) return S::convex;
+    return false;
+  }
+
+  void crossings(std::span<const LeafShape> leaves, const Ray& ray, Crossings& out,
+                 std::vector<std::uint32_t>& begun) const override {
+    for (const LeafShape& leaf : leaves) {
+      const Item& item = items_[leaf.shape];
+      const std::size_t first = out.size();
+      const Ray& local = item.to_object(ray);
+      item.shape.crossings(local, out);
+      for (std::size_t i = first; i < out.size(); ++i) out[i].leaf = leaf.leaf;
+      if constexpr (requires(const S& s) { s.begins_inside(ray); }) {
+        if (item.shape.begins_inside(local)) begun.push_back(leaf.leaf);
+      }
+    }
+  }
+
+ private:
+  static void nearest_of(const Targets& targets, std::uint32_t index, RayQuery& query) {
+    const auto& self = static_cast<const TypedStore&>(targets);
+    const Item& item = self.items_[index];
+    double t_to = query.t_to;
+    if constexpr (requires { S::far; }) t_to = t_to < S::far ? t_to : S::far;
+    const std::optional<Nearest> hit =
+        item.shape.nearest(item.to_object(query.ray), query.t_from, t_to);
+    if (!hit) return;
+    const Tag& tag = self.tags[index];
+    if ((tag.mask & query.mask) == 0) return;
+    if (tag.gated && !gates_open(tag.leaf, query)) return;
+    query.t_to = hit->t;
+    query.found = {&self, index, tag.leaf, hit->part};
+  }
+
+  std::vector<Item> items_;
+};
+
+template <Shape S>
+TypeStores make_type_stores() {
+  return {std::make_unique<TypedStore<Baked, S>>(), std::make_unique<TypedStore<Placed, S>>()};
+}
+
+/// Puts a shape where it is fastest: into world space if it can move there.
+template <Shape S>
+ShapeRef place_shape(TypeStores& stores, S shape, const Transform& to_world, bool inverted) {
+  if constexpr (requires { shape.flipped(); }) {
+    if (inverted) shape = shape.flipped();
+    inverted = false;
+  }
+  if constexpr (requires { shape.moved(to_world); }) {
+    if (const std::optional<S> moved = shape.moved(to_world)) {
+      auto& store = static_cast<TypedStore<Baked, S>&>(*stores.baked);
+      return {&store, store.add({*moved}), inverted};
+    }
+  }
+  auto& store = static_cast<TypedStore<Placed, S>&>(*stores.placed);
+  return {&store, store.add({shape, to_world.backward}), inverted};
+}
+
+/// The first visible crossing in t_from <= t < t_to, for shapes without a shorter way.
+inline std::optional<Nearest> first_visible(const Crossings& crossings, double t_from,
+                                            double t_to) {
+  std::optional<Nearest> best;
+  for (const Crossing& c : crossings) {
+    if (!c.visible || !(c.t >= t_from) || !(c.t < t_to)) continue;
+    best = Nearest{c.t, c.part};
+    t_to = c.t;
+  }
+  return best;
+}
+
+}  // namespace durer::tracer
