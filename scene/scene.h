@@ -44,6 +44,14 @@ struct Camera {
   OriginId origin = 0;
 };
 
+/// Pigments on the inside of an infinite sphere: the colour of rays that hit nothing (shading §7.2).
+struct SkySphere {
+  std::vector<Pigment> pigments;  // in written order; later ones lie on top
+  vec3 emission{1.0F};
+  Transform transform;            // pigment space → world; applied to the unit direction as to a point
+  OriginId origin = 0;
+};
+
 /// How scene numbers relate to light (shading §1.2).
 enum class GammaMode : std::uint8_t { off, legacy, explicit_, implied };
 
@@ -52,6 +60,9 @@ struct Settings {
   int max_trace_level = 5;
   vec3 ambient_light{1.0F};
   vec3 irid_wavelength{0.70F, 0.52F, 0.48F};
+  int noise_generator = 0;    // 1, 2 or 3; the interpreter resolves the default
+  int number_of_waves = 10;   // sources of the `waves` and `ripples` patterns
+  double mm_per_unit = 10;    // scale of subsurface light transport
   GammaMode gamma_mode = GammaMode::off;
   GammaCurve assumed_gamma;  // meaning of scene numbers; identity curve in mode `off`
   /// Hundredths; decides opacity, sky and gamma rules at render time (shading §1.1).
@@ -73,6 +84,7 @@ struct Scene {
   std::vector<Interior> interiors;
   Camera camera;
   Colour background{.rgb = vec3(0.0F), .filter = 0, .transmit = 1};
+  std::optional<SkySphere> sky_sphere;
   Settings settings;
   std::vector<Origin> origins{1};
 };

@@ -1,0 +1,80 @@
+#include "image/codes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/colour.h"
+
+namespace durer::image {
+namespace {
+
+// In single precision throughout: then all 65,536 values of a 16-bit ramp get the oracle's codes;
+// with a double product one in five hundred differs by one.
+std::uint16_t code_of(float stored_value, Depth depth) {
+  const auto max = static_cast<float>((1U << depth.bits) - 1);
+  const float clamped = stored_value > 0 ? std::min(stored_value, 1.0F) : 0.0F;  // NaN → 0
+  const auto code = static_cast<unsigned>(std::floor(clamped * max + 0.5F));
+  if (depth.bits == depth.sample_bits) return static_cast<std::uint16_t>(code);
+  const int shift = depth.sample_bits - depth.bits;
+  return static_cast<std::uint16_t>(code << shift | code >> (depth.bits - shift));
+}
+
+glm::vec3 rgb_of(std::span<const float, 4> pixel) { return {pixel[0], pixel[1], pixel[2]}; }
+
+/// Alpha as it goes into the file: highlights on glass stay visible (shading §1.7, step 1).
+float lifted_alpha(float alpha, float luminance) {
+  return luminance > alpha ? std::min(1.0F, luminance) : alpha;
+}
+
+}  // namespace
+
+Depth depth_for(int bits) { return {bits, bits <= 8 ? 8 : 16}; }
+
+GammaCurve stored_curve(const Encoding& encoding) {
+  return encoding.encode ? encoding.file : GammaCurve::srgb();
+}
+
+float stored(const Encoding& encoding, float working) {
+  return encoding.encode ? transcode(encoding.working, encoding.file, working) : working;
+}
+
+Codes to_codes(const Image& image, const Encoding& encoding, Depth depth, bool alpha) {
+  const int colours = encoding.greyscale ? 1 : 3;
+  Codes out{.channels = colours + (alpha ? 1 : 0), .sample_bits = depth.sample_bits, .values = {}};
+  out.values.reserve(image.pixels.size() / 4 * out.channels);
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const auto pixel = image.at(x, y);
+      glm::vec3 c = rgb_of(pixel);
+      const float luminance = grey(c);
+      const float a = lifted_alpha(pixel[3], luminance);
+      if (encoding.greyscale) c = glm::vec3(luminance);
+      if (alpha) c /= a == 0 ? 1e-6F : a;
+      for (int i = 0; i < colours; ++i) {
+        out.values.push_back(code_of(stored(encoding, c[i]), depth));
+      }
+      if (alpha) out.values.push_back(code_of(a, depth));
+    }
+  }
+  return out;
+}
+
+Samples to_linear(const Image& image, const Encoding& encoding, bool greyscale, bool alpha) {
+  const GammaCurve curve = encoding.encode ? encoding.working : GammaCurve::srgb();
+  const int colours = greyscale ? 1 : 3;
+  Samples out{.channels = colours + (alpha ? 1 : 0), .values = {}};
+  out.values.reserve(image.pixels.size() / 4 * out.channels);
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const auto pixel = image.at(x, y);
+      glm::vec3 c = rgb_of(pixel);
+      if (greyscale) c = glm::vec3(grey(c));
+      c = curve.decode(c);
+      for (int i = 0; i < colours; ++i) out.values.push_back(c[i]);
+      if (alpha) out.values.push_back(pixel[3]);
+    }
+  }
+  return out;
+}
+
+}  // namespace durer::image

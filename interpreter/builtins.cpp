@@ -1,0 +1,394 @@
+// The functions of the language (language §3). Arguments are read one by one, in textual order,
+// because `rand` and macro calls have effects.
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/printf.h>
+#include <glm/geometric.hpp>
+
+#include "interpreter/interpreter.h"
+
+namespace durer::interpreter {
+
+namespace w = grammar::words;
+
+namespace {
+constexpr double radians_per_degree = 0.0174532925199432957692;
+
+/// C's conversion of an out-of-range double, as the oracle's machine does it.
+std::int32_t to_int(double v) {
+  if (!(v > -2147483649.0 && v < 2147483648.0)) return INT32_MIN;
+  return static_cast<std::int32_t>(v);
+}
+}  // namespace
+
+/// The arguments of one call, whether they are plain expressions or have to be read item by item.
+class Interpreter::Args {
+ public:
+  Args(Interpreter& in, const ast::Tree& tree, const ast::Expr& call, SymbolId function,
+       const std::vector<ast::ExprId>& list, const ast::OpenGroup* open)
+      : in_(in), tree_(tree), call_(call), function_(function), list_(list) {
+    if (open != nullptr) part_.emplace(in, tree, open->items);
+  }
+
+  [[nodiscard]] bool more() {
+    return part_ ? in_.peek().kind != Token::Kind::end : used_ < list_.size();
+  }
+  Num num(int length) {
+    require("a number or vector");
+    if (part_) {
+      const Num n = in_.read_num(length);
+      in_.optional_comma();
+      return in_.fit(n, length);
+    }
+    return in_.fit(in_.evaluate(tree_, list_[used_++], length), length);
+  }
+  /// Any length: a float stays a float.
+  Num any() {
+    require("a number or vector");
+    if (part_) {
+      const Num n = in_.read_num(1);
+      in_.optional_comma();
+      return n;
+    }
+    return in_.evaluate(tree_, list_[used_++], 1);
+  }
+  /// Full level: `sin(a < b)` is legal.
+  double full() {
+    require("a number");
+    if (part_) {
+      const Num n = in_.fit(in_.read_full(1), 1);
+      in_.optional_comma();
+      return n.v[0];
+    }
+    return in_.fit(in_.evaluate_full(tree_, list_[used_++], 1), 1).v[0];
+  }
+  double number() { return num(1).v[0]; }
+  dvec3 vector() { return num(3).vec(); }
+  std::int32_t integer() { return to_int(number()); }
+  Text text() {
+    require("a string");
+    if (part_) {
+      Text t = in_.read_text();
+      in_.optional_comma();
+      return t;
+    }
+    return in_.evaluate_text(tree_, list_[used_++]);
+  }
+  /// The expression itself, for arguments that are names.
+  ast::ExprId expression() {
+    require("a name");
+    if (part_) {
+      const Token t = in_.next();
+      if (t.kind != Token::Kind::expr) in_.unexpected(t, "a name");
+      in_.optional_comma();
+      return t.expr;
+    }
+    return list_[used_++];
+  }
+  void done() {
+    if (!more()) return;
+    in_.fail(Code::unexpected_item, call_.span,
+             fmt::format("`{}` has too many arguments here", in_.name_of(function_)));
+  }
+  [[nodiscard]] Span span() const { return call_.span; }
+
+ private:
+  void require(std::string_view what) {
+    if (more()) return;
+    in_.fail(Code::missing_argument, call_.span,
+             fmt::format("`{}` needs {} more here", in_.name_of(function_), what));
+  }
+  Interpreter& in_;
+  const ast::Tree& tree_;
+  const ast::Expr& call_;
+  SymbolId function_;
+  const std::vector<ast::ExprId>& list_;
+  std::size_t used_ = 0;
+  std::optional<Nested> part_;
+};
+
+double Interpreter::days_since_2000() {
+  using namespace std::chrono;
+  const auto micro = duration_cast<microseconds>(system_clock::now().time_since_epoch()).count();
+  constexpr double epoch_2000 = 10957;  // days from 1970 to 2000
+  return static_cast<double>(micro) / 86400e6 - epoch_2000;
+}
+
+Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
+                              const std::vector<ast::ExprId>& list, const ast::OpenGroup* open,
+                              int length) {
+  Args args(*this, tree, e, function, list, open);
+  const auto number = [&](double x) {
+    args.done();
+    return Num::filled(x, length);
+  };
+  const auto vector = [&](dvec3 v) {
+    args.done();
+    return Num(v);
+  };
+  const auto domain = [&](std::string_view what) {
+    fail(Code::evaluation, e.span, fmt::format("`{}` {}", name_of(function), what));
+  };
+  switch (function) {
+    case w::abs: return number(std::abs(args.full()));
+    case w::acos: case w::asin: {
+      double x = args.full();
+      if (x < -1 || x > 1) {
+        warn(Code::evaluation, e.span, fmt::format("the argument of `{}` is outside -1…1 and is clamped", name_of(function)));
+        x = x < 0 ? -1 : 1;
+      }
+      return number(function == w::acos ? std::acos(x) : std::asin(x));
+    }
+    case w::acosh: return number(std::acosh(args.full()));
+    case w::asinh: return number(std::asinh(args.full()));
+    case w::atanh: return number(std::atanh(args.full()));
+    case w::cosh: return number(std::cosh(args.full()));
+    case w::sinh: return number(std::sinh(args.full()));
+    case w::tanh: return number(std::tanh(args.full()));
+    case w::atan: return number(std::atan(args.full()));
+    case w::atan2: {
+      const double a = args.number();
+      const double b = args.number();
+      if (std::abs(a) <= epsilon && std::abs(b) <= epsilon) domain("of (0, 0) has no value");
+      return number(std::atan2(a, b));
+    }
+    case w::ceil: return number(std::ceil(args.full()));
+    case w::floor: return number(std::floor(args.full()));
+    case w::cos: return number(std::cos(args.full()));
+    case w::sin: return number(std::sin(args.full()));
+    case w::tan: return number(std::tan(args.full()));
+    case w::degrees: return number(args.full() / radians_per_degree);
+    case w::radians: return number(args.full() * radians_per_degree);
+    case w::exp: return number(std::exp(args.full()));
+    case w::int_: return number(std::trunc(args.full()));
+    case w::ln: case w::log: {
+      const double x = args.full();
+      if (x <= 0) domain("needs an argument above 0");
+      return number(function == w::ln ? std::log(x) : std::log10(x));
+    }
+    case w::sqrt: {
+      const double x = args.full();
+      if (x < 0) domain("of a negative number has no value");
+      return number(std::sqrt(x));
+    }
+    case w::div: {
+      const double a = args.number();
+      return number(to_int(a / args.number()));
+    }
+    case w::mod: {
+      const double a = args.number();
+      return number(std::fmod(a, args.number()));
+    }
+    case w::pow: {
+      const double a = args.number();
+      const double b = args.number();
+      if (a == 0 && b == 0) domain("of (0, 0) has no value");
+      return number(std::pow(a, b));
+    }
+    case w::max: case w::min: {
+      double x = args.number();
+      while (args.more()) {
+        const double y = args.number();
+        x = function == w::max ? std::max(x, y) : std::min(x, y);
+      }
+      return number(x);
+    }
+    case w::bitwise_and: case w::bitwise_or: case w::bitwise_xor: {
+      std::int32_t x = args.integer();
+      while (args.more()) {
+        const std::int32_t y = args.integer();
+        x = function == w::bitwise_and ? x & y : function == w::bitwise_or ? x | y : x ^ y;
+      }
+      return number(x);
+    }
+    case w::select: {
+      const double c = args.number();
+      const Num below = (length == 1 ? args.any() : args.num(length));
+      const Num zero = (length == 1 ? args.any() : args.num(length));
+      const Num above = args.more() ? (length == 1 ? args.any() : args.num(length)) : zero;
+      args.done();
+      return c < 0 ? below : (c == 0 ? zero : above);
+    }
+    case w::asc: {
+      const Text t = args.text();
+      return number(t.empty() ? 0 : t[0]);
+    }
+    case w::strlen: return number(static_cast<double>(args.text().size()));
+    case w::val: {
+      const std::string s = to_bytes(args.text());
+      return number(std::strtod(s.c_str(), nullptr));
+    }
+    case w::strcmp: {
+      const Text a = args.text();
+      const Text b = args.text();
+      std::size_t i = 0;
+      while (i < a.size() && i < b.size() && a[i] == b[i]) ++i;
+      const int x = i < a.size() ? a[i] : 0;
+      const int y = i < b.size() ? b[i] : 0;
+      return number(x - y);
+    }
+    case w::file_exists: return number(find_file(to_bytes(args.text()), e.span, false) ? 1 : 0);
+    case w::defined: {
+      const ast::ExprId id = args.expression();
+      return number(is_defined(tree, id) ? 1 : 0);
+    }
+    case w::dimensions: case w::dimension_size: {
+      const ast::ExprId id = args.expression();
+      const Value* v = lookup(tree, id, true);
+      const auto* array = v == nullptr ? nullptr : v->get<std::shared_ptr<Array>>();
+      if (array == nullptr) {
+        fail(Code::wrong_kind, tree.exprs[id].span,
+             fmt::format("`{}` wants an array here", name_of(function)));
+      }
+      const auto& sizes = (*array)->sizes;
+      if (function == w::dimensions) return number(static_cast<double>(sizes.size()));
+      const int d = args.integer();
+      return number(d < 1 || d > static_cast<int>(sizes.size()) ? 0 : static_cast<double>(sizes[static_cast<std::size_t>(d) - 1]));
+    }
+    case w::seed: {
+      streams_.push_back(static_cast<std::uint32_t>(args.integer()));
+      return number(static_cast<double>(streams_.size() - 1));
+    }
+    case w::rand: {
+      const std::int32_t i = args.integer();
+      if (i < 0 || static_cast<std::size_t>(i) >= streams_.size()) {
+        fail(Code::out_of_range, e.span, "there is no such random stream", "make one first: `#declare S = seed(1);`, then `rand(S)`");
+      }
+      std::uint32_t& s = streams_[static_cast<std::size_t>(i)];
+      s = s * 1812433253U + 12345U;
+      return number(s / 4294967295.0);
+    }
+    case w::vdot: {
+      const dvec3 a = args.vector();
+      return number(glm::dot(a, args.vector()));
+    }
+    case w::vlength: return number(glm::length(args.vector()));
+    case w::vcross: {
+      const dvec3 a = args.vector();
+      return vector(glm::cross(a, args.vector()));
+    }
+    case w::vnormalize: {
+      const dvec3 a = args.vector();
+      const double n = glm::length(a);
+      if (n == 0) {
+        if (version() >= 350) warn(Code::evaluation, e.span, "`vnormalize` of a zero vector");
+        return vector(dvec3(0));
+      }
+      return vector(a / n);
+    }
+    case w::vrotate: {
+      const dvec3 a = args.vector();
+      return vector(Transform::rotate_deg(args.vector()).vector(a));
+    }
+    case w::vaxis_rotate: {
+      const dvec3 v = args.vector();
+      const dvec3 axis = args.vector();
+      const double angle = args.number() * radians_per_degree;
+      const dvec3 k = axis / glm::length(axis);
+      return vector(v * std::cos(angle) + glm::cross(k, v) * std::sin(angle) +
+                    k * glm::dot(k, v) * (1 - std::cos(angle)));
+    }
+    case w::inside: case w::trace: case w::min_extent: case w::max_extent: case w::vturbulence:
+    case w::sum: case w::prod:
+      not_supported(fmt::format("`{}`", name_of(function)), e.span);
+    default:
+      fail(Code::wrong_kind, e.span,
+           fmt::format("expected a number or vector, found the string function `{}`", name_of(function)));
+  }
+}
+
+// ---- strings --------------------------------------------------------------------------------------
+
+/// `str` (language §3.5): width > 0 pads with blanks, < 0 with zeros; decimals < 0 means 6.
+std::string Interpreter::format_number(double value, int width, int decimals) {
+  const int places = decimals < 0 ? 6 : decimals;
+  std::string s = width == 0  ? fmt::sprintf("%.*f", places, value)
+                  : width > 0 ? fmt::sprintf("%*.*f", width, places, value)
+                              : fmt::sprintf("%0*.*f", -width, places, value);
+  return s.size() > 254 ? fmt::sprintf("%g", value) : s;
+}
+
+Text Interpreter::call_text_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
+                                    const std::vector<ast::ExprId>& list,
+                                    const ast::OpenGroup* open) {
+  Args args(*this, tree, e, function, list, open);
+  const auto done = [&](Text t) {
+    args.done();
+    return t;
+  };
+  switch (function) {
+    case w::chr: {
+      const std::int32_t code = args.integer();
+      if (code < 0 || code > 65535) {
+        fail(Code::out_of_range, e.span, "`chr` takes codes from 0 to 65535");
+      }
+      return done(Text(1, static_cast<char16_t>(code)));
+    }
+    case w::concat: {
+      Text t = args.text();
+      while (args.more()) t += args.text();
+      return t;
+    }
+    case w::str: {
+      const double x = args.number();
+      const int width = args.integer();
+      return done(from_bytes(format_number(x, width, args.integer())));
+    }
+    case w::strlwr: case w::strupr: {
+      Text t = args.text();
+      for (char16_t& c : t) {
+        if (function == w::strlwr && c >= u'A' && c <= u'Z') c = static_cast<char16_t>(c + 32);
+        if (function == w::strupr && c >= u'a' && c <= u'z') c = static_cast<char16_t>(c - 32);
+      }
+      return done(t);
+    }
+    case w::substr: {
+      const Text t = args.text();
+      const int pos = args.integer();
+      const int len = args.integer();
+      if (pos < 0 || len < 0 || pos + len - 1 > static_cast<int>(t.size())) {
+        fail(Code::out_of_range, e.span,
+             fmt::format("`substr` reaches beyond the string, which has {} characters", t.size()));
+      }
+      return done(len == 0 ? Text() : t.substr(static_cast<std::size_t>(std::max(pos, 1) - 1), static_cast<std::size_t>(len)));
+    }
+    case w::vstr: {
+      const int n = std::clamp(args.integer(), 2, 5);
+      // A float is not replicated here (language §3.3).
+      const Num v = args.any();
+      const Text separator = args.text();
+      const int width = args.integer();
+      const int decimals = args.integer();
+      Text t;
+      for (int i = 0; i < n; ++i) {
+        if (i > 0) t += separator;
+        t += from_bytes(format_number(i < v.length ? v.v[static_cast<std::size_t>(i)] : 0.0, width, decimals));
+      }
+      return done(t);
+    }
+    case w::datetime: {
+      const double days = args.number();
+      const std::string format = args.more() ? to_bytes(args.text()) : "%Y-%m-%d %H:%M:%SZ";
+      if (format.empty() || format.size() > 200) {
+        fail(Code::out_of_range, e.span, "the format of `datetime` must have 1 to 200 characters");
+      }
+      const auto seconds = static_cast<std::time_t>(std::llround((days + 10957) * 86400));
+      std::tm parts{};
+      gmtime_r(&seconds, &parts);
+      char buffer[512];
+      const std::size_t n = std::strftime(buffer, sizeof buffer, format.c_str(), &parts);
+      if (n == 0) fail(Code::evaluation, e.span, "the result of `datetime` is too long");
+      return done(from_bytes(std::string_view(buffer, n)));
+    }
+    default: break;
+  }
+  fail(Code::wrong_kind, e.span, fmt::format("`{}` does not make a string", name_of(function)));
+}
+
+}  // namespace durer::interpreter

@@ -1,0 +1,373 @@
+// #declare, #local, #undef, #macro and macro calls; arrays (language §4.3, §4.6, §5.1).
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "interpreter/interpreter.h"
+
+namespace durer::interpreter {
+namespace {
+
+/// Two values may live in one array if they are of the same kind, and numbers of the same length.
+bool same_kind(const Value& a, const Value& b) {
+  if (a.node.index() != b.node.index()) return false;
+  const Num* x = a.get<Num>();
+  const Num* y = b.get<Num>();
+  return x == nullptr || x->length == y->length;
+}
+
+const Value* first_defined(const Array& array) {
+  for (const Value& v : array.elements) {
+    if (v.defined()) return &v;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+/// Assigns; colours lose precision on the way, as colour variables are 32-bit (language §2).
+void Interpreter::store(Value& target, Value value, bool is_element, const Array* array, Span span) {
+  if (Num* n = value.get<Num>(); n != nullptr && n->length == 5) {
+    for (double& x : n->v) x = static_cast<float>(x);
+  }
+  if (is_element && array != nullptr) {
+    const Value* first = target.defined() ? &target : first_defined(*array);
+    if (first != nullptr && !same_kind(*first, value)) {
+      fail(Code::wrong_kind, span,
+           fmt::format("this array holds {}s, the new element is {}", kind_name(*first).substr(2),
+                       kind_name(value)),
+           "all elements of an array are of one kind");
+    }
+  }
+  target = std::move(value);
+}
+
+void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Declare& node) {
+  if (symbols_.reserved(node.name)) {
+    fail(Code::unexpected_item, node.target,
+         fmt::format("`{}` is a word of the language and cannot be declared", name_of(node.name)),
+         "choose another name; names that start with a capital letter are always free");
+  }
+  if (node.deprecated) not_supported("#declare deprecated", d.span);
+
+  // The old value stays visible while the new one is worked out.
+  Value value;
+  bool semicolon = node.semicolon;
+  if (node.value != ast::none) {
+    value = evaluate_value(tree, node.value);
+  } else {
+    const std::size_t outer = declare_depth_;
+    declare_depth_ = frames_.size();
+    value = read_value();
+    declare_depth_ = outer;
+    semicolon = accept_raw_punct(';');
+  }
+  if (!semicolon && value.get<Num>() != nullptr && version() >= 350) {
+    const Num& n = *value.get<Num>();
+    fail(Code::syntax, node.target,
+         fmt::format("this `#{}` of a {} must end with `;`", node.local ? "local" : "declare",
+                     n.length == 1 ? "float" : n.length == 5 ? "colour" : "vector"),
+         "add a `;` after the value");
+  }
+
+  if (node.subscripts.count > 0) {
+    Slot* slot = env_.find(node.name);
+    Value* base = Environment::value_of(slot);
+    if (base == nullptr) unknown_name(node.name, node.target);
+    auto* array = base->get<std::shared_ptr<Array>>();
+    if (array == nullptr) {
+      fail(Code::wrong_kind, node.target,
+           fmt::format("`{}` is {}, not an array", name_of(node.name), kind_name(*base)));
+    }
+    // `#local A[i]` on an array of an outer scope is evaluated and lost (language §4.3).
+    if (node.local && slot->scope != env_.scope() && first_defined(**array) != nullptr) return;
+    Value* target = element(node.name, read_subscripts(tree, node.subscripts), node.target, true, false);
+    store(*target, std::move(value), true, array->get(), node.target);
+    return;
+  }
+  if (macro_named(node.name) != nullptr) {
+    fail(Code::wrong_kind, node.target,
+         fmt::format("`{}` is a macro and cannot become a variable", name_of(node.name)),
+         "`#undef` it first, or choose another name");
+  }
+  Slot& slot = node.local ? env_.for_local(node.name) : env_.for_declare(node.name);
+  Value* target = Environment::value_of(&slot);
+  const bool through_element = slot.target != nullptr && !slot.path.empty();
+  if (target == nullptr) fail(Code::evaluation, node.target, "this parameter no longer has a value");
+  if (through_element && target->defined() && !same_kind(*target, value)) {
+    fail(Code::wrong_kind, node.target,
+         fmt::format("`{}` stands for an array element that is {}, the new value is {}",
+                     name_of(node.name), kind_name(*target), kind_name(value)));
+  }
+  store(*target, std::move(value), false, nullptr, node.target);
+}
+
+void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Undef& node) {
+  if (node.subscripts.count > 0) {
+    *element(node.name, read_subscripts(tree, node.subscripts), d.span, true, false) = Value{};
+    return;
+  }
+  if (symbols_.reserved(node.name)) {
+    fail(Code::unexpected_item, d.span,
+         fmt::format("`{}` is a word of the language", name_of(node.name)));
+  }
+  if (!env_.undefine(node.name)) {
+    warn(Code::unknown_name, d.span, fmt::format("`{}` is not declared", name_of(node.name)));
+  }
+}
+
+void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Macro& node) {
+  (void)d;
+  if (symbols_.reserved(node.name)) {
+    fail(Code::unexpected_item, node.head,
+         fmt::format("`{}` is a word of the language and cannot name a macro", name_of(node.name)));
+  }
+  Slot& slot = env_.for_global(node.name);
+  if (slot.value.defined() && slot.value.get<MacroRef>() == nullptr) {
+    fail(Code::wrong_kind, node.head,
+         fmt::format("`{}` is {} and cannot become a macro", name_of(node.name),
+                     kind_name(slot.value)),
+         "`#undef` it first, or choose another name");
+  }
+  slot.value = Value(MacroRef{&tree, &node});
+}
+
+// ---- arrays -----------------------------------------------------------------------------------
+
+std::optional<SymbolId> Interpreter::array_of(const ast::Expr& e) {
+  if (const auto* index = std::get_if<ast::Index>(&e.node)) return index->name;
+  if (const auto* g = std::get_if<ast::OpenGroup>(&e.node); g != nullptr && g->kind == ast::OpenGroup::Kind::index) {
+    return g->name;
+  }
+  return std::nullopt;
+}
+
+std::vector<Interpreter::Subscript> Interpreter::read_subscripts(const ast::Tree& tree, ast::Range list) {
+  std::vector<Subscript> out;
+  out.reserve(list.count);
+  for (std::uint32_t i = 0; i < list.count; ++i) {
+    const ast::ExprId id = tree.expr_lists[list.first + i];
+    out.push_back({evaluate(tree, id, 1).v[0], tree.exprs[id].span});
+  }
+  return out;
+}
+
+std::vector<Interpreter::Subscript> Interpreter::read_subscripts(const ast::Tree& tree, ast::ExprId id) {
+  const ast::Expr& e = tree.exprs[id];
+  if (const auto* index = std::get_if<ast::Index>(&e.node)) return read_subscripts(tree, index->subscripts);
+  // Made by directives: one bracketed part per subscript.
+  std::vector<Subscript> out;
+  const Nested part(*this, tree, std::get<ast::OpenGroup>(e.node).items);
+  while (peek().kind == Token::Kind::bracket_open) {
+    const Span span = next().span;
+    out.push_back({read_scalar("subscript"), span});
+    const Token close = next();
+    if (close.kind != Token::Kind::bracket_close) unexpected(close, "`]`");
+  }
+  return out;
+}
+
+/// Where the subscripts from number `used` on lead in `array`, row-major.
+std::size_t Interpreter::flat_index(const std::vector<Subscript>& list, const Array& array, Span span,
+                                    std::size_t& used) {
+  std::size_t flat = 0;
+  for (const std::size_t size : array.sizes) {
+    if (used >= list.size()) {
+      fail(Code::missing_argument, span,
+           fmt::format("this array has {} dimensions, here are {} subscripts", array.sizes.size(),
+                       list.size()));
+    }
+    const Subscript& s = list[used++];
+    const double v = std::trunc(s.value + epsilon);
+    if (!(v >= 0 && v < static_cast<double>(size))) {
+      fail(Code::out_of_range, s.span,
+           fmt::format("subscript {:g} is outside the array, which has {} elements here", v, size),
+           fmt::format("subscripts go from 0 to {}", size - 1));
+    }
+    flat = flat * size + static_cast<std::size_t>(v);
+  }
+  return flat;
+}
+
+Value* Interpreter::element(SymbolId name, const std::vector<Subscript>& list, Span span,
+                            bool for_writing, bool must_exist) {
+  Value* v = Environment::value_of(env_.find(name));
+  if (v == nullptr) unknown_name(name, span);
+  for (std::size_t used = 0; used < list.size();) {
+    auto* array = v->get<std::shared_ptr<Array>>();
+    if (array == nullptr) {
+      fail(Code::wrong_kind, span,
+           fmt::format("`{}` is {}, it takes no more subscripts", name_of(name), kind_name(*v)));
+    }
+    // Copies share until one of them is written.
+    if (for_writing && array->use_count() > 1) *array = std::make_shared<Array>(**array);
+    v = &(*array)->elements[flat_index(list, **array, span, used)];
+  }
+  if (must_exist && !v->defined()) {
+    fail(Code::evaluation, span, "this array element has no value yet");
+  }
+  return v;
+}
+
+void Interpreter::read_array_level(Array& array, std::size_t level, std::size_t& filled, Span span) {
+  expect_open("array");
+  for (std::size_t i = 0; i < array.sizes[level]; ++i) {
+    if (level + 1 < array.sizes.size()) {
+      read_array_level(array, level + 1, filled, span);
+    } else {
+      const Token& t = peek();
+      if (t.kind == Token::Kind::close) {
+        fail(Code::missing_argument, t.span,
+             fmt::format("this array needs {} elements, here are {}", array.sizes[level], i));
+      }
+      const Span at = t.span;
+      store(array.elements[filled], read_value(), true, &array, at);
+      ++filled;
+    }
+    optional_comma();
+  }
+  const Token t = next();
+  if (t.kind != Token::Kind::close) {
+    fail(Code::unexpected_item, t.span,
+         fmt::format("this array takes {} elements, here are more", array.sizes[level]));
+  }
+}
+
+/// After the word `array`: sizes and, maybe, elements.
+std::shared_ptr<Array> Interpreter::read_array(Span span) {
+  auto array = std::make_shared<Array>();
+  std::size_t total = 1;
+  // Elements follow immediately or not at all, so it is safe to look at what is written next.
+  while (raw_next().kind == Token::Kind::bracket_open) {
+    next();
+    const double v = std::trunc(read_num(1).v[0] + epsilon);
+    const Token close = next();
+    if (close.kind != Token::Kind::bracket_close) unexpected(close, "`]` after the size");
+    if (!(v >= 1)) fail(Code::out_of_range, span, fmt::format("an array cannot have {:g} elements", v));
+    if (v * static_cast<double>(total) > 1e8) {
+      fail(Code::limit, span, "this array is too large", "arrays hold up to 100 million elements");
+    }
+    array->sizes.push_back(static_cast<std::size_t>(v));
+    total *= static_cast<std::size_t>(v);
+  }
+  if (array->sizes.empty()) fail(Code::missing_argument, span, "expected `[` and a size after `array`");
+  if (array->sizes.size() > 5) fail(Code::limit, span, "an array has at most 5 dimensions");
+  array->elements.resize(total);
+  if (raw_next().kind == Token::Kind::open) {
+    std::size_t filled = 0;
+    read_array_level(*array, 0, filled, span);
+  }
+  return array;
+}
+
+// ---- macro calls -------------------------------------------------------------------------------
+
+namespace {
+struct Argument {
+  Value value;
+  Slot* target = nullptr;  // by reference
+  std::vector<std::size_t> path;
+  Span span;
+};
+}  // namespace
+
+/// Replaces the call `id` (a Call or an OpenGroup) by the body of its macro.
+void Interpreter::call_macro(const ast::Tree& tree, ast::ExprId id, bool flatten) {
+  const ast::Expr& e = tree.exprs[id];
+  const auto* call = std::get_if<ast::Call>(&e.node);
+  const auto* open = std::get_if<ast::OpenGroup>(&e.node);
+  const MacroRef ref = *macro_of(tree, call != nullptr ? call->callee : open->callee);
+  const ast::Macro& macro = *ref.macro;
+  if (macro_depth_ >= 1000) {
+    fail(Code::limit, e.span, fmt::format("macro `{}` calls itself too deeply", name_of(macro.name)),
+         "give the recursion an end: 1000 nested calls are the limit");
+  }
+
+  std::vector<Argument> args;
+  args.reserve(macro.params.count);
+  const auto add = [&](const ast::Tree& t, ast::ExprId arg) {
+    Argument a;
+    a.span = t.exprs[arg].span;
+    // A bare name or array element goes by reference (language §4.6).
+    if (const auto* name = std::get_if<ast::Name>(&t.exprs[arg].node);
+        name != nullptr && !symbols_.reserved(name->name)) {
+      a.target = env_.find(name->name);
+      const Value* v = Environment::value_of(a.target);
+      if (v == nullptr || !v->defined()) unknown_name(name->name, a.span);
+    } else if (const auto array_name = array_of(t.exprs[arg])) {
+      const auto list = read_subscripts(t, arg);
+      element(*array_name, list, a.span, false);  // must exist
+      a.target = env_.find(*array_name);
+      Value* v = Environment::value_of(a.target);
+      for (std::size_t used = 0; used < list.size();) {
+        Array& array = **v->get<std::shared_ptr<Array>>();
+        a.path.push_back(flat_index(list, array, a.span, used));
+        v = &array.elements[a.path.back()];
+      }
+    } else {
+      a.value = evaluate_value(t, arg);
+    }
+    args.push_back(std::move(a));
+  };
+
+  if (call != nullptr) {
+    for (std::uint32_t i = 0; i < call->args.count; ++i) {
+      add(tree, tree.expr_lists[call->args.first + i]);
+    }
+  } else {
+    const Nested part(*this, tree, open->items);
+    while (peek().kind != Token::Kind::end) {
+      const Token t = peek();
+      const auto* name = t.node<ast::Name>();
+      if (name != nullptr ? !symbols_.reserved(name->name)
+                          : t.kind == Token::Kind::expr && array_of(t.expression()).has_value()) {
+        next();
+        if (!at_operator()) {
+          add(*t.tree, t.expr);
+          optional_comma();
+          continue;
+        }
+        unread(t);
+      }
+      Argument a;
+      a.span = t.span;
+      a.value = read_value();
+      args.push_back(std::move(a));
+      optional_comma();
+    }
+  }
+  if (args.size() != macro.params.count) {
+    Diagnostic d;
+    d.code = Code::missing_argument;
+    d.span = e.span;
+    d.message = fmt::format("macro `{}` takes {} argument{}, here {} {}", name_of(macro.name),
+                            macro.params.count, macro.params.count == 1 ? "" : "s",
+                            args.size() == 1 ? "is" : "are", args.size());
+    d.labels.push_back({macro.head, "the macro is defined here"});
+    fail(std::move(d));
+  }
+
+  Frame f;
+  f.kind = Frame::Kind::macro;
+  f.flatten = flatten;
+  f.tree = ref.tree;
+  f.pos = macro.items.first;
+  f.end = macro.items.first + macro.items.count;
+  f.call = e.span;
+  f.name = macro.name;
+  push(f);
+  ++macro_depth_;
+  env_.open_scope();
+  for (std::uint32_t i = 0; i < macro.params.count; ++i) {
+    Slot& slot = env_.add(ref.tree->params[macro.params.first + i].name);
+    Argument& a = args[i];
+    if (a.target != nullptr) {
+      slot.target = a.target;
+      slot.path = std::move(a.path);
+    } else {
+      store(slot.value, std::move(a.value), false, nullptr, a.span);
+    }
+  }
+}
+
+}  // namespace durer::interpreter

@@ -1,0 +1,104 @@
+#include "interpreter/environment.h"
+
+#include <algorithm>
+
+namespace durer::interpreter {
+
+Slot* Environment::find_in_scope(SymbolId name, std::uint32_t scope) const {
+  for (Slot* s = find(name); s != nullptr && s->scope >= scope; s = s->below) {
+    if (s->scope == scope) return s;
+  }
+  return nullptr;
+}
+
+Value* Environment::value_of(Slot* slot) {
+  if (slot == nullptr) return nullptr;
+  if (slot->target == nullptr) return &slot->value;
+  Value* v = value_of(slot->target);
+  for (const std::size_t index : slot->path) {
+    auto* array = v == nullptr ? nullptr : v->get<std::shared_ptr<Array>>();
+    if (array == nullptr || index >= (*array)->elements.size()) return nullptr;
+    // The element may be assigned through the reference: it must not be shared with a copy.
+    if (array->use_count() > 1) *array = std::make_shared<Array>(**array);
+    v = &(*array)->elements[index];
+  }
+  return v;
+}
+
+Slot& Environment::insert(SymbolId name, std::uint32_t scope) {
+  if (name >= visible_.size()) visible_.resize(name + 64, nullptr);
+  Slot* slot = nullptr;
+  if (free_.empty()) {
+    slot = &slots_.emplace_back();
+  } else {
+    slot = free_.back();
+    free_.pop_back();
+    *slot = Slot{};
+  }
+  slot->name = name;
+  slot->scope = scope;
+  // Newer scopes hide older ones: keep the chain in that order.
+  Slot** link = &visible_[name];
+  while (*link != nullptr && (*link)->scope > scope) link = &(*link)->below;
+  slot->below = *link;
+  *link = slot;
+  if (scope > 0) owned_.push_back(slot);
+  return *slot;
+}
+
+Slot& Environment::for_declare(SymbolId name) {
+  Slot* s = find(name);
+  return s != nullptr ? *s : insert(name, 0);
+}
+
+Slot& Environment::for_local(SymbolId name) {
+  Slot* s = find_in_scope(name, scope());
+  return s != nullptr ? *s : insert(name, scope());
+}
+
+Slot& Environment::for_global(SymbolId name) {
+  Slot* s = find_in_scope(name, 0);
+  return s != nullptr ? *s : insert(name, 0);
+}
+
+Slot& Environment::add(SymbolId name) { return insert(name, scope()); }
+
+void Environment::unlink(Slot& slot) {
+  for (Slot** link = &visible_[slot.name]; *link != nullptr; link = &(*link)->below) {
+    if (*link == &slot) {
+      *link = slot.below;
+      return;
+    }
+  }
+}
+
+bool Environment::undefine(SymbolId name) {
+  Slot* s = find(name);
+  if (s == nullptr) return false;
+  unlink(*s);
+  // The slot is not reused before its scope ends: a reference parameter may still point at it.
+  s->value = Value{};
+  return true;
+}
+
+void Environment::close_scope() {
+  const std::size_t begin = scope_begin_.back();
+  while (owned_.size() > begin) {
+    Slot* s = owned_.back();
+    owned_.pop_back();
+    unlink(*s);
+    s->value = Value{};
+    free_.push_back(s);
+  }
+  scope_begin_.pop_back();
+}
+
+std::vector<SymbolId> Environment::visible_names() const {
+  std::vector<SymbolId> names;
+  for (SymbolId id = 0; id < visible_.size(); ++id) {
+    if (visible_[id] != nullptr) names.push_back(id);
+  }
+  return names;
+}
+
+}  // namespace durer::interpreter

@@ -1,0 +1,71 @@
+// Names and what they stand for, in dynamic scopes (language §4.2).
+//
+// Binding is shallow: every symbol knows its innermost visible slot, so a look-up is one array
+// access, and opening or closing a scope costs only what it declares.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "grammar/vocabulary.h"
+#include "interpreter/value.h"
+
+namespace durer::interpreter {
+
+using grammar::SymbolId;
+
+struct Slot {
+  Value value;
+  Slot* below = nullptr;  // the slot of the same name that this one hides
+  SymbolId name = 0;
+  std::uint32_t scope = 0;
+  /// By-reference parameters: the caller's slot; with `path`, an element of the array in it, as a
+  /// flat index per level of nesting (language §4.6).
+  Slot* target = nullptr;
+  std::vector<std::size_t> path;
+};
+
+class Environment {
+ public:
+  /// Innermost visible slot of `name`, null if undeclared. Parameters passed by reference are
+  /// slots of their own; `value_of` follows them.
+  [[nodiscard]] Slot* find(SymbolId name) const {
+    return name < visible_.size() ? visible_[name] : nullptr;
+  }
+  [[nodiscard]] Slot* find_in_scope(SymbolId name, std::uint32_t scope) const;
+
+  /// What the slot stands for; follows references. Null if it has no value.
+  [[nodiscard]] static Value* value_of(Slot* slot);
+
+  /// The slot that `#declare name` writes: the innermost visible one, else a new global.
+  Slot& for_declare(SymbolId name);
+  /// The slot that `#local name` writes: the one of the current scope, else a new one in it.
+  Slot& for_local(SymbolId name);
+  /// A slot in the outermost scope, for macros and file handles.
+  Slot& for_global(SymbolId name);
+  /// A new slot in the current scope, hiding any other (macro parameters).
+  Slot& add(SymbolId name);
+
+  /// Removes the innermost visible `name`; false if there is none.
+  bool undefine(SymbolId name);
+
+  void open_scope() { scope_begin_.push_back(owned_.size()); }
+  void close_scope();
+  [[nodiscard]] std::uint32_t scope() const { return static_cast<std::uint32_t>(scope_begin_.size()); }
+
+  /// All visible names, for "did you mean".
+  [[nodiscard]] std::vector<SymbolId> visible_names() const;
+
+ private:
+  Slot& insert(SymbolId name, std::uint32_t scope);
+  void unlink(Slot& slot);
+
+  std::deque<Slot> slots_;      // a deque: slots never move
+  std::vector<Slot*> free_;
+  std::vector<Slot*> visible_;  // by symbol
+  std::vector<Slot*> owned_;    // slots of local scopes, innermost last
+  std::vector<std::size_t> scope_begin_;
+};
+
+}  // namespace durer::interpreter

@@ -1,0 +1,241 @@
+// What directives do: conditions, loops, switches, messages, versions. Names, macros and arrays are
+// in declare.cpp and macro.cpp, files in include.cpp.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/suggest.h"
+#include "interpreter/interpreter.h"
+
+namespace durer::interpreter {
+
+void Interpreter::execute(const ast::Tree& tree, const ast::Item& item) {
+  const ast::Directive& d = tree.directives[item.ref];
+  std::visit([&](const auto& node) { run(tree, d, node); }, d.node);
+}
+
+namespace {
+Frame items_frame(Frame::Kind kind, const ast::Tree& tree, ast::Range items, bool flatten) {
+  Frame f;
+  f.kind = kind;
+  f.flatten = flatten;
+  f.tree = &tree;
+  f.first = items.first;
+  f.pos = items.first;
+  f.end = items.first + items.count;
+  return f;
+}
+
+std::uint32_t index_of(const ast::Tree& tree, const ast::Directive& d) {
+  return static_cast<std::uint32_t>(&d - tree.directives.data());
+}
+}  // namespace
+
+// ---- conditions -------------------------------------------------------------------------------
+
+bool Interpreter::condition(const ast::Tree& tree, ast::ExprId id) {
+  if (is_text(tree, id)) {
+    fail(Code::wrong_kind, tree.exprs[id].span, "expected a condition, found a string",
+         "compare it, as in `(Name = \"x\")`");
+  }
+  const Num n = evaluate_full(tree, id, 1);
+  if (n.length != 1) {
+    fail(Code::wrong_kind, tree.exprs[id].span, "expected a float as condition, found a vector",
+         "pick a component, as in `(V.x > 0)`");
+  }
+  return std::abs(n.v[0]) > epsilon;
+}
+
+bool Interpreter::is_defined(const ast::Tree& tree, ast::ExprId id) {
+  const ast::Expr& e = tree.exprs[id];
+  if (const auto* name = std::get_if<ast::Name>(&e.node)) {
+    return !symbols_.reserved(name->name) && env_.find(name->name) != nullptr;
+  }
+  if (const auto array = array_of(e)) {
+    return element(*array, read_subscripts(tree, id), e.span, false, false)->defined();
+  }
+  fail(Code::unexpected_item, e.span, "expected a name");
+}
+
+void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::If& node) {
+  (void)d;
+  for (std::uint32_t i = 0; i < node.branches.count; ++i) {
+    const ast::Branch& b = tree.branches[node.branches.first + i];
+    bool taken = false;
+    switch (b.kind) {
+      case ast::Branch::Kind::if_: taken = condition(tree, b.condition); break;
+      case ast::Branch::Kind::ifdef: taken = is_defined(tree, b.condition); break;
+      case ast::Branch::Kind::ifndef: taken = !is_defined(tree, b.condition); break;
+      case ast::Branch::Kind::else_: taken = true; break;
+    }
+    if (!taken) continue;
+    Frame f = items_frame(Frame::Kind::branch, tree, b.items, frames_.back().flatten);
+    f.call = b.span;
+    push(f);
+    return;
+  }
+}
+
+void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Switch& node) {
+  const double value = evaluate_full(tree, node.value, 1).v[0];
+  for (std::uint32_t i = 0; i < node.cases.count; ++i) {
+    const ast::Case& c = tree.cases[node.cases.first + i];
+    bool matches = c.kind == ast::Case::Kind::else_;
+    if (c.kind == ast::Case::Kind::case_) {
+      matches = std::abs(value - evaluate_full(tree, c.low, 1).v[0]) < epsilon;
+    } else if (c.kind == ast::Case::Kind::range) {
+      const double low = evaluate(tree, c.low, 1).v[0];
+      const double high = evaluate(tree, c.high, 1).v[0];
+      matches = low <= value && value <= high;
+    }
+    if (!matches) continue;
+    Frame f = items_frame(Frame::Kind::switch_, tree, c.items, frames_.back().flatten);
+    f.node = index_of(tree, d);
+    f.next_case = i + 1;
+    f.call = d.span;
+    push(f);
+    return;
+  }
+}
+
+// ---- loops ------------------------------------------------------------------------------------
+
+void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::While& node) {
+  if (!condition(tree, node.condition)) return;
+  Frame f = items_frame(Frame::Kind::while_, tree, node.items, frames_.back().flatten);
+  f.node = index_of(tree, d);
+  f.call = d.span;
+  push(f);
+}
+
+void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::For& node) {
+  const double start = evaluate(tree, node.start, 1).v[0];
+  const double end = evaluate(tree, node.end, 1).v[0];
+  const double step = node.step == ast::none ? 1.0 : evaluate(tree, node.step, 1).v[0];
+  if (std::abs(step) < epsilon) {
+    fail(Code::out_of_range, d.span, "the step of `#for` is zero", "give a step other than 0");
+  }
+  Slot& slot = env_.for_local(node.name);
+  *Environment::value_of(&slot) = Value(Num(start));
+  if (!(step > 0 ? start < end + epsilon : start > end - epsilon)) return;
+  Frame f = items_frame(Frame::Kind::for_, tree, node.items, frames_.back().flatten);
+  f.node = index_of(tree, d);
+  f.limit = end;
+  f.step = step;
+  f.call = d.span;
+  push(f);
+}
+
+/// At the end of a loop body: rewinds `frame` for another round, or returns false.
+bool Interpreter::loop_again(Frame& frame) {
+  const ast::Tree& tree = *frame.tree;
+  const ast::Directive& d = tree.directives[frame.node];
+  if (const auto* node = std::get_if<ast::While>(&d.node)) {
+    const std::size_t depth = frames_.size();
+    if (!condition(tree, node->condition)) return false;
+    frames_[depth - 1].pos = frames_[depth - 1].first;  // `frame` may have moved
+    return true;
+  }
+  const auto& node = std::get<ast::For>(d.node);
+  Value* v = Environment::value_of(env_.find(node.name));
+  Num* n = v == nullptr ? nullptr : v->get<Num>();
+  if (n == nullptr || n->length != 1) {
+    fail(Code::wrong_kind, d.span,
+         fmt::format("the loop variable `{}` is no float any more", name_of(node.name)));
+  }
+  // The sum is accumulated, so steps of 0.1 drift exactly as they do in the oracle.
+  n->v[0] += frame.step;
+  const bool again =
+      frame.step > 0 ? n->v[0] < frame.limit + epsilon : n->v[0] > frame.limit - epsilon;
+  if (again) frame.pos = frame.first;
+  return again;
+}
+
+void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Break& node) {
+  (void)tree;
+  (void)node;
+  break_out(d.span);
+}
+
+// ---- messages, versions, the rest --------------------------------------------------------------
+
+void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Message& node) {
+  std::string text = to_bytes(node.value == ast::none ? read_text() : evaluate_text(tree, node.value));
+  using Kind = ast::Message::Kind;
+  if (node.kind == Kind::error) fail(Code::user_error, d.span, text.empty() ? "#error" : text);
+  if (node.kind == Kind::warning) {
+    if (text.size() > 160) text = text.substr(0, 124) + "...";
+    warn(Code::user_warning, d.span, text);
+    return;
+  }
+  if (node.kind != Kind::debug) {
+    warn(Code::deprecated, d.span, "this message stream no longer exists; the text is printed as by `#debug`");
+  }
+  if (text.size() > 200) text = text.substr(0, 156) + "...";
+  if (options_.on_debug) options_.on_debug(text);
+}
+
+void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Version& node) {
+  const Num v = node.value == ast::none ? read_num(1) : evaluate(tree, node.value, 1);
+  set_version(v.v[0], d.span);
+}
+
+void Interpreter::set_version(double v, Span span) {
+  const int hundredths = static_cast<int>(std::lround(v * 100));
+  if (hundredths > 370) {
+    fail(Code::version, span, fmt::format("language version {:g} is not supported yet", v),
+         "this program speaks versions up to 3.7: write `#version 3.7;`");
+  }
+  if (hundredths < 100) {
+    fail(Code::version, span, fmt::format("there is no language version {:g}", v));
+  }
+  declared_version_ = hundredths;
+  version_given_ = true;
+}
+
+void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Simple& node) {
+  (void)tree;
+  switch (node.kind) {
+    case ast::Simple::Kind::default_: default_block(); return;
+    case ast::Simple::Kind::fopen: open_file(d.span); return;
+    case ast::Simple::Kind::fclose: close_file(); return;
+    case ast::Simple::Kind::read: read_file(); return;
+    case ast::Simple::Kind::write: write_file(); return;
+  }
+}
+
+void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Unknown& node) {
+  (void)tree;
+  static constexpr std::string_view known[] = {
+      "break",   "case",    "debug", "declare", "default",    "else",  "elseif", "end",
+      "error",   "fclose",  "fopen", "for",     "if",         "ifdef", "ifndef", "include",
+      "local",   "macro",   "range", "read",    "statistics", "render", "switch", "undef",
+      "version", "warning", "while", "write"};
+  const auto near = closest(name_of(node.word), known);
+  fail(Code::syntax, d.span, fmt::format("unknown directive `#{}`", name_of(node.word)),
+       near ? fmt::format("did you mean `#{}`?", *near) : std::string());
+}
+
+void Interpreter::default_block() {
+  expect_open("#default");
+  for (;;) {
+    const Token t = next();
+    if (t.kind == Token::Kind::close) return;
+    if (t.is(grammar::words::texture)) {
+      default_texture_ = read_texture("texture");
+    } else if (t.is(grammar::words::pigment) || t.is(grammar::words::finish) ||
+               t.is(grammar::words::normal)) {
+      scene::TextureUse use{default_texture_, {}};
+      edit_texture(use, t);
+      default_texture_ = use.texture;
+    } else if (t.is(grammar::words::camera)) {
+      default_camera_ = read_camera(t.span);
+    } else if (t.is(grammar::words::radiosity)) {
+      not_supported("radiosity in #default", t.span);
+    } else {
+      unexpected(t, "`texture`, `pigment`, `normal`, `finish` or `camera` in `#default`");
+    }
+  }
+}
+
+}  // namespace durer::interpreter

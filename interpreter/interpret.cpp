@@ -1,0 +1,221 @@
+// The run of a scene: predefined names, the top level, messages and origins.
+#include "interpreter/interpret.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "grammar/parse.h"
+#include "interpreter/camera.h"
+#include "interpreter/interpreter.h"
+
+namespace durer::interpreter {
+
+namespace w = grammar::words;
+
+Interpreter::Interpreter(SourceMap& sources, const scene::Registry& registry,
+                         const Options& options, Diagnostics& diagnostics)
+    : sources_(sources), registry_(registry), options_(options), diagnostics_(diagnostics) {
+  for (std::uint32_t i = 0; i < registry.primitives.size(); ++i) {
+    primitive_words_[symbols_.intern(registry.primitives[i]->name)] = i;
+  }
+  for (std::uint32_t i = 0; i < registry.patterns.size(); ++i) {
+    pattern_words_[symbols_.intern(registry.patterns[i]->name)] = i;
+  }
+  scene::Texture plain;
+  plain.layers.emplace_back();
+  default_texture_ = add_texture(std::move(plain));
+  if (options.version > 0) {
+    declared_version_ = options.version;
+    version_given_ = true;
+  }
+}
+
+// ---- messages -----------------------------------------------------------------------------------------
+
+void Interpreter::add_trace(Diagnostic& d) const {
+  for (std::size_t i = frames_.size(); i-- > 0;) {
+    const Frame& f = frames_[i];
+    if (f.kind == Frame::Kind::macro) {
+      d.trace.push_back({f.call, fmt::format("in macro `{}`, called here", name_of(f.name))});
+    } else if (f.kind == Frame::Kind::file && f.call.begin != 0) {
+      d.trace.push_back({f.call, "in a file included here"});
+    }
+    if (d.trace.size() == 8) return;  // enough to find the way; recursion would fill pages
+  }
+}
+
+/// What the grammar had to say about the text at `loc`, if it could not read it (ast::Flaw).
+const ast::Flaw* Interpreter::flaw_at(Loc loc) const {
+  if (loc == 0) return nullptr;
+  const FileId file = sources_.file_of(loc);
+  if (file >= tree_of_.size() || tree_of_[file] == nullptr) return nullptr;
+  const auto& flaws = tree_of_[file]->flaws;
+  const auto it = std::ranges::lower_bound(flaws, loc, {}, &ast::Flaw::place);
+  return it != flaws.end() && it->place == loc ? &*it : nullptr;
+}
+
+void Interpreter::fail(Diagnostic d) {
+  // Text that the grammar could not read is reported as such, now that it is executed.
+  if (const ast::Flaw* flaw = flaw_at(d.span.begin)) d = flaw->why;
+  add_trace(d);
+  diagnostics_.report(std::move(d));
+  throw Failure{};
+}
+
+void Interpreter::fail(Code code, Span span, std::string message, std::string help, std::string at) {
+  Diagnostic d;
+  d.code = code;
+  d.span = span;
+  d.message = std::move(message);
+  d.at = std::move(at);
+  if (!help.empty()) d.help.push_back(std::move(help));
+  fail(std::move(d));
+}
+
+/// Each place warns once per kind, however often a loop comes by.
+void Interpreter::warn(Code code, Span span, std::string message, std::string help) {
+  const std::uint64_t key = std::uint64_t{span.begin} << 8 | static_cast<std::uint64_t>(code);
+  if (!warned_.insert(key).second) return;
+  Diagnostic d;
+  d.severity = Severity::warning;
+  d.code = code;
+  d.span = span;
+  d.message = std::move(message);
+  if (!help.empty()) d.help.push_back(std::move(help));
+  add_trace(d);
+  diagnostics_.report(std::move(d));
+}
+
+void Interpreter::not_supported(std::string_view feature, Span span) {
+  fail(Code::not_supported, span, fmt::format("{} is not supported yet", feature));
+}
+
+/// Origin of the innermost macro call or include, made when first needed.
+scene::OriginId Interpreter::call_origin() {
+  scene::OriginId parent = 0;
+  for (Frame& f : frames_) {
+    if (f.kind != Frame::Kind::macro && (f.kind != Frame::Kind::file || f.call.begin == 0)) continue;
+    if (!f.has_origin) {
+      scene_.origins.push_back({f.call, parent});
+      f.origin = static_cast<scene::OriginId>(scene_.origins.size() - 1);
+      f.has_origin = true;
+    }
+    parent = f.origin;
+  }
+  return parent;
+}
+
+scene::OriginId Interpreter::origin(Span span) {
+  const scene::OriginId parent = call_origin();
+  scene_.origins.push_back({span, parent});
+  return static_cast<scene::OriginId>(scene_.origins.size() - 1);
+}
+
+void Interpreter::remember(const ast::Tree& tree) {
+  if (tree.file >= tree_of_.size()) tree_of_.resize(tree.file + 1);
+  tree_of_[tree.file] = &tree;
+}
+
+// ---- the scene ------------------------------------------------------------------------------------------
+
+void Interpreter::add_root(scene::ObjectId id) { scene_.roots.push_back({id, default_texture_}); }
+
+void Interpreter::top_level() {
+  for (;;) {
+    const Token t = next();
+    if (t.kind == Token::Kind::end) return;
+    if (t.is_punct(';')) continue;
+    if (starts_object(t)) {
+      add_root(read_object(t));
+      continue;
+    }
+    if (t.kind == Token::Kind::expr) {
+      const Value* v = lookup(*t.tree, t.expr, true);
+      if (v != nullptr && v->get<ObjectRef>() != nullptr) {
+        add_root(v->get<ObjectRef>()->id);
+        continue;
+      }
+      unexpected(t, "an object or directive");
+    }
+    if (t.kind != Token::Kind::word) unexpected(t, "an object or directive");
+    switch (t.word) {
+      case w::camera:
+        if (camera_) warn(Code::scene, t.span, "the scene has several cameras; the last one is used");
+        camera_ = read_camera(t.span);
+        break;
+      case w::global_settings: read_global_settings(t.span); break;
+      case w::background: read_background(); break;
+      case w::max_trace_level: read_max_trace_level(t); break;
+      case w::max_intersections: read_float(); break;
+      case w::sky_sphere:
+        if (scene_.sky_sphere) warn(Code::scene, t.span, "the scene has several sky spheres; the last one is used");
+        scene_.sky_sphere = read_sky_sphere(t.span);
+        break;
+      case w::fog: case w::rainbow: case w::media:
+        not_supported(fmt::format("`{}`", name_of(t.word)), t.span);
+      default: unexpected(t, "an object or directive");
+    }
+  }
+}
+
+std::optional<scene::Scene> Interpreter::run(FileId main_file) try {
+  auto tree = grammar::parse(sources_, main_file, symbols_, diagnostics_);
+  if (!tree) return std::nullopt;
+  utf8_ = tree->utf8;
+  remember(*tree);
+
+  // Declared on the command line first: those win over the predefined names (language §9.2).
+  const auto global = [&](std::string_view name, Value value) {
+    const SymbolId id = symbols_.intern(name);
+    if (env_.find(id) == nullptr) env_.for_global(id).value = std::move(value);
+  };
+  for (const auto& [name, value] : options_.declares) {
+    if (const double* x = std::get_if<double>(&value)) {
+      global(name, Value(Num(*x)));
+    } else {
+      global(name, Value(std::make_shared<const Text>(from_bytes(std::get<std::string>(value)))));
+    }
+  }
+  global("image_width", Value(Num(options_.width)));
+  global("image_height", Value(Num(options_.height)));
+  const std::string name = std::filesystem::path(std::string(sources_.path(main_file))).filename().string();
+  global("input_file_name", Value(std::make_shared<const Text>(from_bytes(name))));
+  for (const char* zero : {"frame_number", "initial_frame", "final_frame", "initial_clock",
+                           "final_clock", "clock_delta"}) {
+    global(zero, Value(Num(0.0)));
+  }
+
+  Frame f;
+  f.kind = Frame::Kind::file;
+  f.tree = tree.get();
+  f.pos = tree->top.first;
+  f.end = tree->top.first + tree->top.count;
+  main_trees_.push_back(std::move(tree));
+  frames_.push_back(f);
+  top_level();
+
+  scene_.camera = finish_camera(camera_ ? *camera_ : default_camera_ ? *default_camera_ : CameraSpec{});
+  finish_settings();
+  if (scene_.roots.empty()) {
+    Diagnostic d;
+    d.severity = Severity::warning;
+    d.code = Code::scene;
+    d.message = "the scene has no objects";
+    diagnostics_.report(std::move(d));
+  }
+  return std::move(scene_);
+} catch (const Failure&) {
+  return std::nullopt;
+}
+
+std::optional<scene::Scene> interpret(SourceMap& sources, FileId main_file,
+                                      const scene::Registry& registry, const Options& options,
+                                      Diagnostics& diagnostics) {
+  Interpreter interpreter(sources, registry, options, diagnostics);
+  return interpreter.run(main_file);
+}
+
+}  // namespace durer::interpreter

@@ -1,0 +1,303 @@
+// The interpreter's one class: an environment, a stack of frames, and readers for every block.
+// Its members are spread over files by subject; this header is private to the folder.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "grammar/ast.h"
+#include "grammar/vocabulary.h"
+#include "interpreter/environment.h"
+#include "interpreter/interpret.h"
+#include "interpreter/stream.h"
+#include "interpreter/value.h"
+#include "scene/scene.h"
+
+namespace durer::interpreter {
+
+/// Unwinds the interpreter after an error has been reported; never leaves `interpret`.
+struct Failure {};
+
+class Interpreter {
+ public:
+  Interpreter(SourceMap& sources, const scene::Registry& registry, const Options& options,
+              Diagnostics& diagnostics);
+
+  /// Runs a whole scene; empty if an error was reported.
+  [[nodiscard]] std::optional<scene::Scene> run(FileId main_file);
+
+ private:
+  // ---- stream.cpp: the pull stream
+  Token next();
+  const Token& peek();
+  /// What is written next, without executing anything: kind `end` if only executing would tell.
+  [[nodiscard]] Token raw_next() const;
+  bool accept_raw_punct(char c);
+  void unread(const Token& token);
+  bool step(Token& token);
+  bool step_item(Token& token);
+  bool step_end(Token& token);
+  bool step_expansion(Token& token);
+  void expand(const ast::Tree& tree, ast::ExprId id, bool flatten);
+  void push_pieces(const ast::Tree& tree, ast::ExprId id, bool flatten);
+  [[nodiscard]] bool needs_expansion(const ast::Tree& tree, ast::ExprId id) const;
+  [[nodiscard]] const MacroRef* macro_named(SymbolId name) const;
+  [[nodiscard]] const MacroRef* macro_of(const ast::Tree& tree, ast::ExprId callee) const;
+  void push(Frame frame);
+  void pop();
+  void break_out(Span span);
+
+  /// Reads a delimited part with a nested reader: everything pulled while it lives comes from that
+  /// part, then `end`.
+  class Nested {
+   public:
+    Nested(Interpreter& in, const ast::Tree& tree, ast::Range items);
+    Nested(Interpreter& in, const ast::Tree& tree, ast::ExprId expr);
+    Nested(const Nested&) = delete;
+    Nested& operator=(const Nested&) = delete;
+    ~Nested() { in_.close_barrier(depth_, unread_base_); }
+    /// Error unless everything has been read.
+    void finish(std::string_view what);
+
+   private:
+    void open(const ast::Tree& tree);
+    Interpreter& in_;
+    std::size_t depth_;
+    std::size_t unread_base_;
+  };
+  friend class Nested;
+  void close_barrier(std::size_t depth, std::size_t unread_base);
+
+  // ---- execute.cpp, directives/: what directives do
+  void execute(const ast::Tree& tree, const ast::Item& item);
+  void run(const ast::Tree& tree, const ast::Directive& d, const ast::Declare& node);
+  void run(const ast::Tree& tree, const ast::Directive& d, const ast::Undef& node);
+  void run(const ast::Tree& tree, const ast::Directive& d, const ast::If& node);
+  void run(const ast::Tree& tree, const ast::Directive& d, const ast::While& node);
+  void run(const ast::Tree& tree, const ast::Directive& d, const ast::For& node);
+  void run(const ast::Tree& tree, const ast::Directive& d, const ast::Switch& node);
+  void run(const ast::Tree& tree, const ast::Directive& d, const ast::Macro& node);
+  void run(const ast::Tree& tree, const ast::Directive& d, const ast::Break& node);
+  void run(const ast::Tree& tree, const ast::Directive& d, const ast::Include& node);
+  void run(const ast::Tree& tree, const ast::Directive& d, const ast::Version& node);
+  void run(const ast::Tree& tree, const ast::Directive& d, const ast::Message& node);
+  void run(const ast::Tree& tree, const ast::Directive& d, const ast::Simple& node);
+  void run(const ast::Tree& tree, const ast::Directive& d, const ast::Unknown& node);
+  bool loop_again(Frame& frame);
+  bool condition(const ast::Tree& tree, ast::ExprId id);
+  bool is_defined(const ast::Tree& tree, ast::ExprId id);
+  void call_macro(const ast::Tree& tree, ast::ExprId call, bool flatten);
+  void bind_argument(Slot& slot, const ast::Tree& tree, ast::ExprId arg);
+  struct Subscript {
+    double value;
+    Span span;
+  };
+  std::vector<Subscript> read_subscripts(const ast::Tree& tree, ast::Range list);
+  /// The same of an Index or OpenGroup(index).
+  std::vector<Subscript> read_subscripts(const ast::Tree& tree, ast::ExprId id);
+  Value* element(SymbolId name, const std::vector<Subscript>& subscripts, Span span,
+                 bool for_writing, bool must_exist = true);
+  std::size_t flat_index(const std::vector<Subscript>& subscripts, const Array& array, Span span,
+                         std::size_t& used);
+  /// The array that an Index or OpenGroup(index) names; none for other expressions.
+  [[nodiscard]] static std::optional<SymbolId> array_of(const ast::Expr& e);
+  void store(Value& target, Value value, bool is_element, const Array* array, Span span);
+  void default_block();
+  void set_version(double v, Span span);
+
+  // ---- files.cpp: data files
+  SymbolId read_name(std::string_view what);
+  DataFile& file_named(SymbolId name, Span span);
+  void open_file(Span span);
+  void close_file();
+  void write_file();
+  void read_file();
+  template <typename Body>
+  void in_parentheses(std::string_view what, Body body);
+
+  // ---- include.cpp: files
+  const ast::Tree& load(const std::string& name, Span span);
+  [[nodiscard]] std::optional<std::string> find_file(const std::string& name, Span span,
+                                                     bool tolerant = true);
+  void include(const std::string& name, Span span);
+
+  // ---- evaluate.cpp: closed expressions
+  /// `length`: the number of components that the place wants (language §2.4); 1 also means "any".
+  Num evaluate(const ast::Tree& tree, ast::ExprId id, int length);
+  /// Full level: a result of one component fills all `length` slots.
+  Num evaluate_full(const ast::Tree& tree, ast::ExprId id, int length);
+  Num evaluate_call(const ast::Tree& tree, const ast::Expr& e, const ast::Call& call, int length);
+  Num evaluate_name(const ast::Expr& e, SymbolId name, int length);
+  Num evaluate_open(const ast::Tree& tree, const ast::Expr& e, const ast::OpenGroup& g, int length);
+  Num evaluate_vector(const ast::Tree& tree, const ast::Vector& v, Span span);
+  Num value_as_num(const Value& v, Span span, int length);
+  Num binary(ast::Op op, Num left, Num right, Span span);
+  Num unary(ast::Op op, Num operand);
+  Num member(Num object, SymbolId member, Span span, int length);
+  Value evaluate_value(const ast::Tree& tree, ast::ExprId id);
+  [[nodiscard]] bool is_text(const ast::Tree& tree, ast::ExprId id);
+  Text evaluate_text(const ast::Tree& tree, ast::ExprId id, bool file_name = false);
+  Value* lookup(const ast::Tree& tree, ast::ExprId id, bool must_exist);
+  Num read_components(const ast::Tree& tree, ast::Range components, Span span);
+  [[noreturn]] void call_value(const Value& v, Span span);
+  [[nodiscard]] static Value copy_of(const Value& v);
+  Text decode_literal(std::string_view bytes, Span span, bool file_name);
+  [[noreturn]] void unknown_name(SymbolId name, Span span);
+
+  // ---- builtins.cpp: the functions of the language
+  class Args;
+  friend class Args;
+  Num call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
+                   const std::vector<ast::ExprId>& args, const ast::OpenGroup* open, int length);
+  Text call_text_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
+                         const std::vector<ast::ExprId>& args, const ast::OpenGroup* open);
+  [[nodiscard]] static double days_since_2000();
+  std::string format_number(double value, int width, int decimals);
+
+  // ---- read.cpp: expressions and values from the stream
+  Num read_num(int length);            // additive level
+  Num read_full(int length);           // relations, logic, ?:
+  Num read_full_in_place(int length);
+  double read_float();
+  double read_scalar(std::string_view what);
+  dvec3 read_vector();
+  Num fit(const Num& n, int length);
+  Num read_product(int length);
+  Num read_factor(int length);
+  bool at_operator();
+  bool at_full_operator();
+  Token next_operator();
+  Num continue_product(Num n);
+  Num continue_sum(Num n);
+  [[nodiscard]] bool flatten_context() const;
+  Text read_text(bool file_name = false);
+  bool read_switch(bool fallback);     // an optional float: absent means on
+  bool starts_number(const Token& token);
+  [[nodiscard]] static bool starts_colour(const Token& token);
+  Colour read_colour();                // with or without the word `color`
+  Num read_colour_num();
+  vec3 read_rgb();                     // where only rgb is wanted
+  Value read_value();                  // the right side of a declare, an argument, an element
+  std::shared_ptr<Array> read_array(Span span);
+  void read_array_level(Array& array, std::size_t level, std::size_t& filled, Span span);
+  void optional_comma();
+  void accept_raw_comma_or_peek();
+  [[nodiscard]] std::string describe(const Token& token) const;
+  bool accept(SymbolId word);
+  bool accept_punct(char c);
+  void expect_open(std::string_view block);
+  void expect_close(std::string_view block, Span opened);
+  [[noreturn]] void unexpected(const Token& token, std::string_view expected);
+  /// Skips to the end of the block whose opening brace has been read.
+  void skip_block();
+  Value skip_unsupported(std::string_view feature, Span span);
+
+  // ---- blocks: scene things
+  void top_level();
+  std::optional<Transform> read_transformation(const Token& token);
+  Transform read_transform_block();
+  Transform read_matrix(const Token& word);
+  scene::ObjectId read_object(const Token& word);
+  bool starts_object(const Token& token) const;
+  scene::Object read_primitive(std::uint32_t type, const Token& word);
+  std::vector<double> read_operands(const scene::TypeInfo& info, const Token& word);
+  scene::Object read_csg(scene::NodeKind kind, const Token& word);
+  scene::ObjectId read_object_modifiers(scene::Object object, const Token& word, Span opened);
+  bool object_modifier(scene::Object& object, const Token& token);
+  void transform_object(scene::Object& object, const Transform& t);
+  void read_clips(scene::Object& object, bool clip);
+  scene::ObjectId read_light(const Token& word);
+  void read_light_items(scene::Object& object, scene::Light& light, const Token& word);
+  void add_root(scene::ObjectId id);
+  scene::ObjectId add_object(scene::Object object);
+
+  scene::TextureId read_texture(std::string_view block);
+  scene::Texture materialize(const scene::TextureUse& use);
+  void edit_texture(scene::TextureUse& use, const Token& word);
+  void add_layers(scene::TextureUse& use, scene::TextureId layers);
+  void transform_texture(scene::Texture& texture, const Transform& t);
+  void edit_layer(scene::Layer& layer, const Token& word);
+  scene::TextureId read_texture_body(scene::Texture texture, Span span);
+  scene::TextureId add_texture(scene::Texture texture);
+  scene::Pigment read_pigment(scene::Pigment start);
+  void read_pigment_body(scene::Pigment& pigment, Token::Kind last);
+  void start_pattern(scene::Pigment& pigment, std::uint32_t index, const Token& word);
+  [[nodiscard]] bool is_pattern_word(SymbolId word) const;
+  [[nodiscard]] bool is_warp_word(SymbolId word) const;
+  void skip_to(Token::Kind last);
+  void check_map(const ColourMap& map);
+  Colour continue_colour(Colour c);
+  bool pigment_modifier(scene::Pigment& pigment, const Token& token);
+  void read_colour_list(scene::Pigment& pigment, const scene::PatternInfo& info);
+  ColourMap read_colour_map();
+  ColourMap read_pigment_map();
+  scene::Finish read_finish(scene::Finish start);
+  void read_reflection(scene::Finish& finish);
+  scene::InteriorId read_interior();
+  Material read_material();
+  Shared<CameraSpec> read_camera(Span span);
+  scene::Camera finish_camera(const CameraSpec& spec);
+  void read_global_settings(Span span);
+  void read_background();
+  scene::SkySphere read_sky_sphere(Span span);
+  void read_max_trace_level(const Token& word);
+  void read_assumed_gamma(const Token& word);
+  void finish_settings();
+
+  // ---- messages
+  [[noreturn]] void fail(Code code, Span span, std::string message, std::string help = {},
+                         std::string at = {});
+  [[noreturn]] void fail(Diagnostic d);
+  void warn(Code code, Span span, std::string message, std::string help = {});
+  void add_trace(Diagnostic& d) const;
+  [[nodiscard]] const ast::Flaw* flaw_at(Loc loc) const;
+  void remember(const ast::Tree& tree);
+  [[noreturn]] void not_supported(std::string_view feature, Span span);
+  scene::OriginId origin(Span span);
+  scene::OriginId call_origin();
+  [[nodiscard]] std::string_view name_of(SymbolId id) const { return symbols_.text(id); }
+  [[nodiscard]] int version() const { return declared_version_; }
+
+  SourceMap& sources_;
+  const scene::Registry& registry_;
+  const Options& options_;
+  Diagnostics& diagnostics_;
+  grammar::SymbolTable symbols_;
+  Environment env_;
+
+  std::vector<Frame> frames_;
+  std::vector<Piece> pieces_;
+  std::vector<Token> unread_;
+  std::size_t unread_base_ = 0;  // tokens below belong to an outer reader
+  std::size_t declare_depth_ = 0;  // frames when the value of a #declare is being read
+  std::size_t macro_depth_ = 0;
+  std::size_t nesting_ = 0;
+
+  std::unordered_map<std::string, std::unique_ptr<const ast::Tree>> trees_;
+  std::vector<std::unique_ptr<const ast::Tree>> main_trees_;
+  std::vector<const ast::Tree*> tree_of_;  // by file
+  std::unordered_set<std::uint64_t> warned_;
+
+  // Reserved word → index into the registry.
+  std::unordered_map<SymbolId, std::uint32_t> primitive_words_;
+  std::unordered_map<SymbolId, std::uint32_t> pattern_words_;
+  std::unordered_map<SymbolId, std::uint32_t> param_words_;
+
+  std::vector<std::uint32_t> streams_;  // states of rand()
+  scene::Scene scene_;
+  scene::TextureId default_texture_ = scene::none;
+  std::shared_ptr<const CameraSpec> default_camera_;
+  std::shared_ptr<const CameraSpec> camera_;
+  int declared_version_ = 370;
+  bool version_given_ = false;
+  bool assumed_gamma_given_ = false;
+  bool utf8_ = false;
+  Span last_span_;
+};
+
+}  // namespace durer::interpreter

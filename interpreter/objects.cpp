@@ -1,0 +1,445 @@
+// Objects: primitives bound by their operand tables, CSG, modifiers (objects §8, §9).
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/suggest.h"
+#include "interpreter/interpreter.h"
+
+namespace durer::interpreter {
+
+namespace w = grammar::words;
+
+namespace {
+
+bool is_csg(SymbolId word) {
+  return word == w::union_ || word == w::merge || word == w::intersection || word == w::difference;
+}
+
+/// Objects of the language that this version can read over but not render.
+bool is_known_object(SymbolId word) {
+  switch (word) {
+    case w::bicubic_patch: case w::blob: case w::box: case w::cone: case w::cubic: case w::cylinder:
+    case w::disc: case w::height_field: case w::isosurface: case w::julia_fractal: case w::lathe:
+    case w::mesh: case w::mesh2: case w::ovus: case w::parametric: case w::plane: case w::poly:
+    case w::polygon: case w::polynomial: case w::prism: case w::quadric: case w::quartic:
+    case w::smooth_triangle: case w::sor: case w::sphere: case w::sphere_sweep:
+    case w::superellipsoid: case w::text: case w::torus: case w::triangle: case w::light_group:
+      return true;
+    default: return false;
+  }
+}
+
+}  // namespace
+
+bool Interpreter::starts_object(const Token& t) const {
+  if (t.kind != Token::Kind::word) return false;
+  return t.word == w::object || t.word == w::light_source || is_csg(t.word) ||
+         is_known_object(t.word) || primitive_words_.contains(t.word);
+}
+
+scene::ObjectId Interpreter::add_object(scene::Object object) {
+  scene_.objects.push_back(std::move(object));
+  return static_cast<scene::ObjectId>(scene_.objects.size() - 1);
+}
+
+/// After the object's word: reads the whole statement.
+scene::ObjectId Interpreter::read_object(const Token& word) {
+  if (word.word == w::light_source) return read_light(word);
+  const Token open = next();
+  if (open.kind != Token::Kind::open) {
+    unexpected(open, fmt::format("`{{` after `{}`", name_of(word.word)));
+  }
+
+  // `sphere { Thing … }` copies Thing, whatever it is (objects §8.1).
+  const Token first = peek();
+  if (first.node<ast::Name>() != nullptr || first.node<ast::Index>() != nullptr) {
+    const Value* v = lookup(*first.tree, first.expr, false);
+    const auto* ref = v == nullptr ? nullptr : v->get<ObjectRef>();
+    if (ref != nullptr && !(is_csg(word.word))) {
+      const scene::ObjectId id = ref->id;
+      next();
+      if (raw_next().kind == Token::Kind::close) {
+        next();
+        return id;
+      }
+      scene::Object copy = scene_.objects[id];
+      copy.origin = origin(word.span);
+      return read_object_modifiers(std::move(copy), word, open.span);
+    }
+    if (ref == nullptr && word.word == w::object && v != nullptr) {
+      if (const auto* u = v->get<Shared<Unsupported>>()) {
+        scene::Object node;
+        node.kind = scene::NodeKind::unsupported;
+        node.unsupported = (*u)->feature;
+        node.origin = origin((*u)->span);
+        next();
+        skip_block();
+        return add_object(std::move(node));
+      }
+      fail(Code::wrong_kind, first.span, fmt::format("expected an object, found {}", kind_name(*v)));
+    }
+  }
+  if (word.word == w::object) {
+    const Token inner = next();
+    if (!starts_object(inner)) unexpected(inner, "an object");
+    scene::Object copy = scene_.objects[read_object(inner)];
+    return read_object_modifiers(std::move(copy), word, open.span);
+  }
+  if (is_csg(word.word)) {
+    const scene::NodeKind kind = word.word == w::union_   ? scene::NodeKind::union_
+                                 : word.word == w::merge  ? scene::NodeKind::merge
+                                 : word.word == w::intersection ? scene::NodeKind::intersection
+                                                                : scene::NodeKind::difference;
+    return read_object_modifiers(read_csg(kind, word), word, open.span);
+  }
+  if (const auto it = primitive_words_.find(word.word); it != primitive_words_.end()) {
+    return read_object_modifiers(read_primitive(it->second, word), word, open.span);
+  }
+  scene::Object node;
+  node.kind = scene::NodeKind::unsupported;
+  node.unsupported = fmt::format("`{}`", name_of(word.word));
+  node.origin = origin(word.span);
+  skip_block();
+  return add_object(std::move(node));
+}
+
+/// The operands of a primitive or pattern: positional ones in order, then flags and keyword ones.
+std::vector<double> Interpreter::read_operands(const scene::TypeInfo& info, const Token& word) {
+  std::vector<double> args;
+  args.reserve(info.arg_count());
+  std::vector<std::size_t> offsets;
+  for (const scene::Param& p : info.params) {
+    offsets.push_back(args.size());
+    args.insert(args.end(), p.fallback.begin(), p.fallback.begin() + scene::width(p.kind));
+  }
+  const auto put = [&](std::size_t i) {
+    const scene::Param& p = info.params[i];
+    double* out = &args[offsets[i]];
+    last_span_ = peek().span;
+    switch (p.kind) {
+      case scene::ArgKind::number: *out = read_scalar(p.doc); break;
+      case scene::ArgKind::flag: *out = 1; break;
+      case scene::ArgKind::vector2:
+      case scene::ArgKind::vector: {
+        const int n = p.kind == scene::ArgKind::vector ? 3 : 2;
+        const Num v = fit(read_num(n), n);
+        for (int k = 0; k < n; ++k) out[k] = v.v[static_cast<std::size_t>(k)];
+        break;
+      }
+    }
+  };
+  for (std::size_t i = 0; i < info.params.size(); ++i) {
+    const scene::Param& p = info.params[i];
+    if (!p.positional) continue;
+    const Token& t = peek();
+    const bool here = t.kind == Token::Kind::expr || t.kind == Token::Kind::punct;
+    if (!here && p.optional) continue;
+    if (!here) {
+      Diagnostic d;
+      d.code = Code::missing_argument;
+      d.span = t.span;
+      d.message = fmt::format("expected the {} of this `{}`, found {}", p.doc, info.name, describe(t));
+      d.labels.push_back({word.span, "in this block"});
+      fail(std::move(d));
+    }
+    put(i);
+    // A comma after the last operand is an error in the language (language §1.8).
+    bool more = false;
+    for (std::size_t k = i + 1; k < info.params.size(); ++k) more |= info.params[k].positional;
+    if (more) optional_comma();
+  }
+  for (bool again = true; again;) {
+    again = false;
+    const Token t = peek();
+    if (t.kind != Token::Kind::word) break;
+    for (std::size_t i = 0; i < info.params.size(); ++i) {
+      if (info.params[i].positional || info.params[i].name != name_of(t.word)) continue;
+      next();
+      put(i);
+      again = true;
+      break;
+    }
+  }
+  if (info.validate != nullptr) {
+    if (const auto problem = info.validate(args)) fail(Code::degenerate, word.span, *problem);
+  }
+  return args;
+}
+
+scene::Object Interpreter::read_primitive(std::uint32_t type, const Token& word) {
+  scene::Object o;
+  o.kind = scene::NodeKind::primitive;
+  o.type = type;
+  o.origin = origin(word.span);
+  o.args = read_operands(*registry_.primitives[type], word);
+  return o;
+}
+
+scene::Object Interpreter::read_csg(scene::NodeKind kind, const Token& word) {
+  scene::Object o;
+  o.kind = kind;
+  o.origin = origin(word.span);
+  for (;;) {
+    const Token t = peek();
+    if (starts_object(t)) {
+      next();
+      o.children.push_back(read_object(t));
+    } else if (t.node<ast::Name>() != nullptr || t.node<ast::Index>() != nullptr) {
+      const Value* v = lookup(*t.tree, t.expr, true);
+      const auto* ref = v == nullptr ? nullptr : v->get<ObjectRef>();
+      if (ref == nullptr) unexpected(t, "an object or a modifier");
+      o.children.push_back(ref->id);
+      next();
+    } else if (t.is_punct(';')) {
+      next();
+    } else {
+      break;
+    }
+  }
+  if (o.children.size() < 2 && version() >= 150) {
+    warn(Code::scene, word.span,
+         fmt::format("this `{}` has {} child{}", name_of(word.word), o.children.size(),
+                     o.children.size() == 1 ? "" : "ren"));
+  }
+  return o;
+}
+
+/// Modifiers up to the closing brace.
+scene::ObjectId Interpreter::read_object_modifiers(scene::Object object, const Token& word,
+                                                   Span opened) {
+  for (;;) {
+    const Token t = next();
+    if (t.kind == Token::Kind::close) break;
+    if (t.is_punct(';')) continue;
+    if (t.kind == Token::Kind::word && object_modifier(object, t)) continue;
+    Diagnostic d;
+    d.code = t.kind == Token::Kind::word ? Code::unknown_setting : Code::unexpected_item;
+    d.span = t.span;
+    d.message = t.kind == Token::Kind::word
+                    ? fmt::format("`{}` takes no `{}` here", name_of(word.word), name_of(t.word))
+                    : fmt::format("expected a modifier or `}}`, found {}", describe(t));
+    if (const auto* name = t.node<ast::Name>();
+        name != nullptr && env_.find(name->name) == nullptr) {
+      static constexpr std::string_view modifiers[] = {
+          "translate", "rotate",  "scale",      "matrix",     "transform", "texture",
+          "pigment",   "normal",  "finish",     "interior",   "material",  "clipped_by",
+          "bounded_by", "inverse", "hollow",    "no_shadow",  "no_image",  "no_reflection",
+          "open",      "sturm",   "photons",    "uv_mapping", "color",     "interior_texture"};
+      d.message = fmt::format("`{}` is not declared, and no modifier of that name exists", name_of(name->name));
+      if (const auto near = closest(name_of(name->name), modifiers)) {
+        d.help.push_back(fmt::format("did you mean `{}`?", *near));
+      }
+    }
+    d.labels.push_back({word.span.to(opened), "in this block"});
+    fail(std::move(d));
+  }
+  return add_object(std::move(object));
+}
+
+void Interpreter::transform_object(scene::Object& o, const Transform& t) {
+  o.transform = o.transform.then(t);
+  o.texture.transform = o.texture.transform.then(t);
+  o.interior_texture.transform = o.interior_texture.transform.then(t);
+  o.clip_transform = o.clip_transform.then(t);
+  o.bound_transform = o.bound_transform.then(t);
+}
+
+/// Reads one modifier whose word is `t`; false if `t` is none.
+bool Interpreter::object_modifier(scene::Object& o, const Token& t) {
+  if (const auto transform = read_transformation(t)) {
+    transform_object(o, *transform);
+    return true;
+  }
+  const auto unsupported = [&](std::string_view what) {
+    if (o.unsupported.empty()) o.unsupported = what;
+  };
+  switch (t.word) {
+    case w::texture: add_layers(o.texture, read_texture("texture")); return true;
+    case w::pigment: case w::finish: case w::normal: edit_texture(o.texture, t); return true;
+    case w::interior_texture: add_layers(o.interior_texture, read_texture("interior_texture")); return true;
+    case w::interior: o.interior = read_interior(); return true;
+    case w::material: {
+      const Material m = read_material();
+      if (m.texture != scene::none) o.texture = {m.texture, {}};
+      if (m.interior_texture != scene::none) o.interior_texture = {m.interior_texture, {}};
+      if (m.interior != scene::none) o.interior = m.interior;
+      return true;
+    }
+    case w::clipped_by: read_clips(o, true); return true;
+    case w::bounded_by: read_clips(o, false); return true;
+    case w::inverse: o.inverse = !o.inverse; return true;
+    case w::hollow: o.hollow = read_switch(true); return true;
+    case w::no_shadow: o.no_shadow = true; return true;
+    case w::no_image: o.no_image = read_switch(true); return true;
+    case w::no_reflection: o.no_reflection = read_switch(true); return true;
+    case w::no_radiosity: o.no_radiosity = read_switch(true); return true;
+    case w::double_illuminate: o.double_illuminate = read_switch(true); return true;
+    case w::sturm: o.sturm = read_switch(true); return true;
+    case w::hierarchy: read_switch(true); return true;  // a matter of speed in the oracle
+    case w::split_union: read_float(); return true;     // likewise (objects §8.2)
+    case w::uv_mapping: unsupported("`uv_mapping`"); return true;
+    case w::cutaway_textures: unsupported("`cutaway_textures`"); return true;
+    case w::photons: {
+      // Photons can only be shot once they are switched on in global_settings.
+      expect_open("photons");
+      skip_block();
+      return true;
+    }
+    case w::radiosity: {
+      expect_open("radiosity");
+      skip_block();
+      return true;
+    }
+    case w::color: case w::colour:
+      unread(t);
+      read_colour();
+      warn(Code::deprecated, t.span, "a colour here has no effect", "put it into `pigment { … }`");
+      return true;
+    default: return false;
+  }
+}
+
+/// `clipped_by { … }` and `bounded_by { … }` (objects §8.4).
+void Interpreter::read_clips(scene::Object& o, bool clip) {
+  const std::string_view block = clip ? "clipped_by" : "bounded_by";
+  expect_open(block);
+  std::vector<scene::ObjectId>& list = clip ? o.clips : o.bounds;
+  Transform& moved = clip ? o.clip_transform : o.bound_transform;
+  if (accept(clip ? w::bounded_by : w::clipped_by)) {
+    if (!list.empty()) {
+      fail(Code::scene, peek().span, fmt::format("`{}` cannot borrow a list when it has one", block));
+    }
+    list = clip ? o.bounds : o.clips;
+    moved = clip ? o.bound_transform : o.clip_transform;
+    expect_close(block, {});
+    return;
+  }
+  // Earlier transformations moved the earlier objects only: settle them first.
+  if (!moved.is_identity()) {
+    for (scene::ObjectId& id : list) {
+      scene::Object copy = scene_.objects[id];
+      transform_object(copy, moved);
+      id = add_object(std::move(copy));
+    }
+    moved = {};
+  }
+  std::vector<scene::ObjectId> added;
+  for (;;) {
+    const Token t = next();
+    if (t.kind == Token::Kind::close) break;
+    if (t.is_punct(';')) continue;
+    if (starts_object(t)) {
+      added.push_back(read_object(t));
+    } else if (const auto transform = read_transformation(t)) {
+      for (scene::ObjectId& id : added) {
+        scene::Object copy = scene_.objects[id];
+        transform_object(copy, *transform);
+        id = add_object(std::move(copy));
+      }
+    } else if (const Value* v = t.kind == Token::Kind::expr ? lookup(*t.tree, t.expr, false) : nullptr;
+               v != nullptr && v->get<ObjectRef>() != nullptr) {
+      added.push_back(v->get<ObjectRef>()->id);
+    } else {
+      unexpected(t, fmt::format("an object in `{}`", block));
+    }
+  }
+  list.insert(list.end(), added.begin(), added.end());
+}
+
+// ---- transformations (objects §6) --------------------------------------------------------------
+
+/// The transformation that starts with `t`, or nothing if it starts none.
+std::optional<Transform> Interpreter::read_transformation(const Token& t) {
+  if (t.kind != Token::Kind::word) return std::nullopt;
+  switch (t.word) {
+    case w::translate: return Transform::translate(read_vector());
+    case w::rotate: return Transform::rotate_deg(read_vector());
+    case w::scale: {
+      dvec3 s = read_vector();
+      for (int i = 0; i < 3; ++i) {
+        if (s[i] != 0) continue;
+        warn(Code::degenerate, t.span,
+             fmt::format("`scale` with {} = 0; 1 is used instead", "xyz"[i]));
+        s[i] = 1;
+      }
+      return Transform::scale(s);
+    }
+    case w::matrix: return read_matrix(t);
+    case w::transform: return read_transform_block();
+    default: return std::nullopt;
+  }
+}
+
+Transform Interpreter::read_matrix(const Token& word) {
+  const Token t = next();
+  std::array<double, 12> m{};
+  std::size_t n = 0;
+  if (const auto* v = t.node<ast::Vector>(); v != nullptr) {
+    for (std::uint32_t i = 0; i < v->components.count; ++i) {
+      const Nested part(*this, *t.tree, t.tree->expr_lists[v->components.first + i]);
+      while (peek().kind != Token::Kind::end && n < 12) {
+        m[n++] = read_scalar("an element of the matrix");
+        optional_comma();
+      }
+    }
+  } else if (const auto* g = t.node<ast::OpenGroup>();
+             g != nullptr && g->kind == ast::OpenGroup::Kind::vector) {
+    const Nested part(*this, *t.tree, g->items);
+    while (peek().kind != Token::Kind::end && n < 12) {
+      m[n++] = read_scalar("an element of the matrix");
+      optional_comma();
+    }
+  }
+  if (n != 12) {
+    fail(Code::missing_argument, word.span, fmt::format("`matrix` takes 12 numbers in `< >`, here are {}", n));
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (std::abs(m[i]) < epsilon && std::abs(m[i + 3]) < epsilon && std::abs(m[i + 6]) < epsilon) {
+      warn(Code::degenerate, word.span, fmt::format("column {} of the matrix is zero; its diagonal element becomes 1", i));
+      m[4 * i] = 1;
+    }
+  }
+  const auto matrix = Transform::matrix(m);
+  if (!matrix) fail(Code::degenerate, word.span, "this matrix is singular", "its three rows must not lie in one plane");
+  return *matrix;
+}
+
+/// After the word `transform`: `{ … }` or a bare identifier.
+Transform Interpreter::read_transform_block() {
+  const auto identifier = [&](const Token& t) -> std::optional<Transform> {
+    if (t.kind != Token::Kind::expr) return std::nullopt;
+    const Value* v = lookup(*t.tree, t.expr, true);
+    if (v == nullptr) return std::nullopt;
+    const auto* ref = v->get<Shared<Transform>>();
+    if (ref == nullptr) {
+      fail(Code::wrong_kind, t.span, fmt::format("expected a transform, found {}", kind_name(*v)));
+    }
+    return **ref;
+  };
+  const Token first = next();
+  if (first.kind != Token::Kind::open) {
+    if (const auto t = identifier(first)) return *t;
+    unexpected(first, "`{` or a transform after `transform`");
+  }
+  Transform sum;
+  bool inverted = false;
+  for (;;) {
+    const Token t = next();
+    if (t.kind == Token::Kind::close) break;
+    if (t.is_punct(';')) continue;
+    if (t.is(w::inverse)) {
+      inverted = true;
+    } else if (const auto step = read_transformation(t)) {
+      sum = sum.then(*step);
+    } else if (const auto named = identifier(t)) {
+      sum = sum.then(*named);
+    } else {
+      unexpected(t, "a transformation");
+    }
+  }
+  return inverted ? sum.inverse() : sum;
+}
+
+}  // namespace durer::interpreter

@@ -1,0 +1,653 @@
+// Textures, pigments, maps, finishes, interiors, materials (textures §14, §16; shading §4.1, §5.1).
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "interpreter/interpreter.h"
+
+namespace durer::interpreter {
+
+namespace w = grammar::words;
+
+// ---- textures -------------------------------------------------------------------------------------
+
+scene::TextureId Interpreter::add_texture(scene::Texture texture) {
+  scene_.textures.push_back(std::move(texture));
+  return static_cast<scene::TextureId>(scene_.textures.size() - 1);
+}
+
+void Interpreter::transform_texture(scene::Texture& texture, const Transform& t) {
+  for (scene::Layer& layer : texture.layers) {
+    layer.pigment.transform = layer.pigment.transform.then(t);
+  }
+}
+
+/// A copy of the texture in use, with its transform settled into the layers.
+scene::Texture Interpreter::materialize(const scene::TextureUse& use) {
+  scene::Texture t = scene_.textures[use.texture];
+  if (!use.transform.is_identity()) transform_texture(t, use.transform);
+  return t;
+}
+
+/// Puts the layers of a texture on top of those in use (textures §14.2).
+void Interpreter::add_layers(scene::TextureUse& use, scene::TextureId added) {
+  if (use.texture == scene::none) {
+    use = {added, {}};
+    return;
+  }
+  scene::Texture t = materialize(use);
+  const scene::Texture& top = scene_.textures[added];
+  t.layers.insert(t.layers.end(), top.layers.begin(), top.layers.end());
+  if (t.unsupported.empty()) t.unsupported = top.unsupported;
+  use = {add_texture(std::move(t)), {}};
+}
+
+/// `pigment`, `finish` or `normal` right in an object: changes the top layer of its texture, which is
+/// a copy of the default if there is none.
+void Interpreter::edit_texture(scene::TextureUse& use, const Token& word) {
+  if (use.texture == scene::none) use = {default_texture_, {}};
+  scene::Texture t = materialize(use);
+  edit_layer(t.layers.back(), word);
+  use = {add_texture(std::move(t)), {}};
+}
+
+void Interpreter::edit_layer(scene::Layer& layer, const Token& word) {
+  switch (word.word) {
+    case w::pigment: layer.pigment = read_pigment(std::move(layer.pigment)); return;
+    case w::finish: layer.finish = read_finish(std::move(layer.finish)); return;
+    default: {
+      // A normal without any bumps changes nothing; every other one has to wait.
+      expect_open("normal");
+      if (peek().kind != Token::Kind::close) layer.unsupported = "`normal`";
+      skip_block();
+      return;
+    }
+  }
+}
+
+namespace {
+bool starts_patterned_texture(SymbolId word) {
+  switch (word) {
+    case w::tiles: case w::material_map: case w::uv_mapping: case w::texture_map: return true;
+    default: return false;
+  }
+}
+}  // namespace
+
+/// After the word `texture`: `{ … }`.
+scene::TextureId Interpreter::read_texture(std::string_view block) {
+  expect_open(block);
+  const Token first = peek();
+  if (const Value* v = first.kind == Token::Kind::expr ? lookup(*first.tree, first.expr, false) : nullptr;
+      v != nullptr && v->get<TextureRef>() != nullptr) {
+    const scene::TextureId id = v->get<TextureRef>()->id;
+    next();
+    if (raw_next().kind == Token::Kind::close) {
+      next();
+      return id;
+    }
+    return read_texture_body(scene_.textures[id], first.span);
+  }
+  scene::Texture t = scene_.textures[default_texture_];
+  t.origin = origin(first.span);
+  return read_texture_body(std::move(t), first.span);
+}
+
+scene::TextureId Interpreter::read_texture_body(scene::Texture t, Span span) {
+  for (;;) {
+    const Token token = next();
+    if (token.kind == Token::Kind::close) break;
+    if (token.is_punct(';')) continue;
+    if (token.kind == Token::Kind::expr) {
+      // Identifiers replace a part: `texture { MyPigment MyFinish }`.
+      const Value* v = lookup(*token.tree, token.expr, true);
+      scene::Layer& top = t.layers.back();
+      if (v != nullptr && v->get<Shared<scene::Pigment>>() != nullptr) {
+        top.pigment = **v->get<Shared<scene::Pigment>>();
+      } else if (v != nullptr && v->get<Shared<scene::Finish>>() != nullptr) {
+        top.finish = **v->get<Shared<scene::Finish>>();
+      } else if (v != nullptr && v->get<Shared<Unsupported>>() != nullptr) {
+        if (top.unsupported.empty()) top.unsupported = (*v->get<Shared<Unsupported>>())->feature;
+      } else {
+        unexpected(token, "a pigment, normal, finish or transformation in `texture`");
+      }
+      continue;
+    }
+    if (token.kind != Token::Kind::word) unexpected(token, "a pigment, normal, finish or transformation in `texture`");
+    if (const auto transform = read_transformation(token)) {
+      transform_texture(t, *transform);
+      continue;
+    }
+    switch (token.word) {
+      case w::pigment: case w::finish: case w::normal: edit_layer(t.layers.back(), token); continue;
+      case w::no_bump_scale: continue;  // about normals, which bring their own error
+      default: break;
+    }
+    if (starts_patterned_texture(token.word) || is_pattern_word(token.word)) {
+      if (t.unsupported.empty()) {
+        t.unsupported = fmt::format("a texture patterned by `{}`", name_of(token.word));
+      }
+      t.origin = origin(token.span);
+      skip_block();
+      break;
+    }
+    Diagnostic d;
+    d.code = Code::unknown_setting;
+    d.span = token.span;
+    d.message = fmt::format("`texture` has no setting `{}`", name_of(token.word));
+    d.labels.push_back({span, "in this block"});
+    fail(std::move(d));
+  }
+  return add_texture(std::move(t));
+}
+
+// ---- pigments (textures §3, §11, §16) -----------------------------------------------------------------
+
+bool Interpreter::is_pattern_word(SymbolId word) const {
+  if (pattern_words_.contains(word)) return true;
+  switch (word) {
+    case w::agate: case w::aoi: case w::average: case w::boxed: case w::bozo: case w::brick:
+    case w::bumps: case w::cells: case w::checker: case w::crackle: case w::cubic:
+    case w::cylindrical: case w::density_file: case w::dents: case w::facets: case w::function:
+    case w::gradient: case w::granite: case w::hexagon: case w::image_map: case w::image_pattern:
+    case w::julia: case w::leopard: case w::magnet: case w::mandel: case w::marble: case w::object:
+    case w::onion: case w::pavement: case w::pigment_pattern: case w::planar: case w::quilted:
+    case w::radial: case w::ripples: case w::slope: case w::spherical: case w::spiral1:
+    case w::spiral2: case w::spotted: case w::square: case w::tiling: case w::triangular:
+    case w::uv_mapping: case w::waves: case w::wood: case w::wrinkles: case w::bump_map:
+      return true;
+    default: return false;
+  }
+}
+
+scene::Pigment Interpreter::read_pigment(scene::Pigment start) {
+  expect_open("pigment");
+  start.origin = origin(peek().span);
+  read_pigment_body(start, Token::Kind::close);
+  return start;
+}
+
+/// Reads up to and including the closing mark `last`.
+void Interpreter::read_pigment_body(scene::Pigment& p, Token::Kind last) {
+  for (bool first = true;; first = false) {
+    const Token t = peek();
+    if (t.kind == last) {
+      next();
+      return;
+    }
+    if (t.is_punct(';')) {
+      next();
+      continue;
+    }
+    if (t.kind == Token::Kind::expr && first) {
+      const Value* v = lookup(*t.tree, t.expr, false);
+      if (v != nullptr && v->get<Shared<scene::Pigment>>() != nullptr) {
+        const scene::OriginId at = p.origin;
+        p = **v->get<Shared<scene::Pigment>>();
+        if (p.unsupported.empty()) p.origin = at;
+        next();
+        continue;
+      }
+      if (v != nullptr && v->get<Shared<Unsupported>>() != nullptr) {
+        p.unsupported = (*v->get<Shared<Unsupported>>())->feature;
+        next();
+        continue;
+      }
+    }
+    if (starts_colour(t) || t.kind == Token::Kind::expr || t.is_punct('-')) {
+      if (t.kind != Token::Kind::word) {
+        const Num n = read_full(5);
+        if (n.length != 5 || (t.node<ast::Number>() != nullptr)) {
+          fail(Code::wrong_kind, t.span, "expected a colour, found a number or vector",
+               "write `rgb` before it");
+        }
+        p.colour = n.colour();
+      } else {
+        p.colour = read_colour();
+      }
+      p.pattern = scene::none;
+      p.entries.clear();
+      p.children.clear();
+      p.unsupported.clear();
+      continue;
+    }
+    if (t.kind != Token::Kind::word) unexpected(t, "a colour, pattern or modifier in `pigment`");
+    next();
+    if (const auto it = pattern_words_.find(t.word); it != pattern_words_.end()) {
+      start_pattern(p, it->second, t);
+      continue;
+    }
+    if (pigment_modifier(p, t)) continue;
+    if (is_pattern_word(t.word) || is_warp_word(t.word)) {
+      p.unsupported = fmt::format("`{}`", name_of(t.word));
+      p.origin = origin(t.span);
+      skip_to(last);
+      return;
+    }
+    fail(Code::unknown_setting, t.span, fmt::format("`pigment` has no setting `{}`", name_of(t.word)));
+  }
+}
+
+bool Interpreter::is_warp_word(SymbolId word) const {
+  switch (word) {
+    case w::turbulence: case w::octaves: case w::omega: case w::lambda: case w::warp:
+    case w::noise_generator: return true;
+    default: return false;
+  }
+}
+
+/// Skips the rest of a block, its closing mark included.
+void Interpreter::skip_to(Token::Kind last) {
+  for (int depth = 0;;) {
+    const Token t = next();
+    if (t.kind == last && depth == 0) return;
+    if (t.kind == Token::Kind::open || t.kind == Token::Kind::bracket_open) ++depth;
+    if (t.kind == Token::Kind::close || t.kind == Token::Kind::bracket_close) --depth;
+    if (t.kind == Token::Kind::end) unexpected(t, "the end of this block");
+  }
+}
+
+void Interpreter::start_pattern(scene::Pigment& p, std::uint32_t index, const Token& word) {
+  const scene::PatternInfo& info = *registry_.patterns[index];
+  p.pattern = index;
+  p.unsupported.clear();
+  p.entries.clear();
+  p.children.clear();
+  p.colour = {};
+  if (info.list_size > 0) {
+    p.frequency = 0;  // block values select, they are not wrapped (textures §3)
+  } else if (info.wave != scene::Wave::ramp) {
+    p.wave = info.wave;
+  }
+  if (info.list_size > 0) read_colour_list(p, info);
+  p.args = read_operands(info, word);
+  if (info.list_size == 0) {
+    for (const scene::MapEntry& e : info.default_map) p.entries.push_back({e.key, e.colour, scene::none});
+  }
+}
+
+/// `checker Red, White` or `checker pigment {…} pigment {…}`: up to `list_size` entries, the rest from
+/// the default list (textures §11.5).
+void Interpreter::read_colour_list(scene::Pigment& p, const scene::PatternInfo& info) {
+  const bool pigments = peek().is(w::pigment);
+  for (int i = 0; i < info.list_size; ++i) {
+    scene::PigmentEntry entry;
+    entry.key = static_cast<float>(i);
+    const Token t = peek();
+    if (pigments) {
+      entry.pigment = static_cast<std::uint32_t>(p.children.size());
+      if (t.is(w::pigment)) {
+        next();
+        scene::Pigment child = read_pigment(scene_.textures[default_texture_].layers.back().pigment);
+        p.children.push_back(std::move(child));
+        optional_comma();
+      } else {
+        p.children.push_back(scene_.textures[default_texture_].layers.back().pigment);
+      }
+    } else if (starts_colour(t) || t.kind == Token::Kind::expr) {
+      entry.colour = read_colour();
+      optional_comma();
+    } else if (static_cast<std::size_t>(i) < info.default_map.size()) {
+      entry.colour = info.default_map[static_cast<std::size_t>(i)].colour;
+    }
+    p.entries.push_back(entry);
+  }
+}
+
+bool Interpreter::pigment_modifier(scene::Pigment& p, const Token& t) {
+  if (const auto transform = read_transformation(t)) {
+    p.transform = p.transform.then(*transform);
+    return true;
+  }
+  switch (t.word) {
+    case w::frequency: p.frequency = static_cast<float>(read_float()); return true;
+    case w::phase: p.phase = static_cast<float>(read_float()); return true;
+    case w::ramp_wave: p.wave = scene::Wave::ramp; return true;
+    case w::sine_wave: p.wave = scene::Wave::sine; return true;
+    case w::triangle_wave: p.wave = scene::Wave::triangle; return true;
+    case w::scallop_wave: p.wave = scene::Wave::scallop; return true;
+    case w::cubic_wave: p.wave = scene::Wave::cubic; return true;
+    case w::poly_wave:
+      p.wave = scene::Wave::poly;
+      if (starts_number(peek())) p.wave_exponent = static_cast<float>(read_float());
+      return true;
+    case w::quick_color: case w::quick_colour:
+      read_colour();  // shown at quality 5 and below only
+      return true;
+    case w::color_map: case w::colour_map: case w::pigment_map: {
+      const bool block = p.pattern != scene::none && registry_.patterns[p.pattern]->list_size > 0;
+      if (block || (p.pattern == scene::none && p.unsupported.empty())) {
+        fail(Code::unexpected_item, t.span,
+             block ? fmt::format("`{}` takes a list, not a map", registry_.patterns[p.pattern]->name)
+                   : fmt::format("`{}` needs a pattern before it", name_of(t.word)));
+      }
+      ColourMap map = t.word == w::pigment_map ? read_pigment_map() : read_colour_map();
+      p.entries = std::move(map.entries);
+      p.children = std::move(map.children);
+      return true;
+    }
+    default: return false;
+  }
+}
+
+/// `color_map { [key colour] … }` or `color_map { Identifier }` (textures §11.2).
+ColourMap Interpreter::read_colour_map() {
+  expect_open("color_map");
+  ColourMap map;
+  if (const Token t = peek(); t.kind == Token::Kind::expr) {
+    const Value* v = lookup(*t.tree, t.expr, true);
+    const auto* ref = v == nullptr ? nullptr : v->get<Shared<ColourMap>>();
+    if (ref == nullptr) unexpected(t, "a colour map or `[`");
+    next();
+    map = **ref;
+  }
+  for (;;) {
+    const Token t = next();
+    if (t.kind == Token::Kind::close) break;
+    if (t.kind != Token::Kind::bracket_open) unexpected(t, "`[` or `}` in `color_map`");
+    scene::PigmentEntry entry;
+    entry.key = static_cast<float>(read_scalar("key"));
+    optional_comma();
+    const Token c = peek();
+    if (c.kind == Token::Kind::expr) {
+      const Num n = read_full(1);
+      if (n.length == 1) {  // the old form: [key1, key2 color A color B]
+        scene::PigmentEntry second;
+        second.key = static_cast<float>(n.v[0]);
+        optional_comma();
+        entry.colour = read_colour();
+        optional_comma();
+        second.colour = read_colour();
+        map.entries.push_back(entry);
+        entry = second;
+      } else if (n.length == 5) {
+        entry.colour = n.colour();
+        entry.colour = continue_colour(entry.colour);
+      } else {
+        fail(Code::wrong_kind, c.span, "expected a colour, found a vector", "write `rgb` before it");
+      }
+    } else if (starts_colour(c)) {
+      entry.colour = read_colour();
+    } else {
+      unexpected(c, "a colour");
+    }
+    map.entries.push_back(entry);
+    const Token close = next();
+    if (close.kind != Token::Kind::bracket_close) unexpected(close, "`]`");
+  }
+  check_map(map);
+  return map;
+}
+
+void Interpreter::check_map(const ColourMap& map) {
+  if (map.entries.empty()) fail(Code::missing_argument, peek().span, "a map needs at least one entry");
+  if (map.entries.size() > 256) fail(Code::limit, peek().span, "a map has at most 256 entries");
+}
+
+/// `filter .5` and the like after a colour expression.
+Colour Interpreter::continue_colour(Colour c) {
+  while (peek().is(w::filter) || peek().is(w::transmit)) {
+    const bool filter = next().is(w::filter);
+    (filter ? c.filter : c.transmit) = static_cast<float>(read_float());
+  }
+  return c;
+}
+
+ColourMap Interpreter::read_pigment_map() {
+  expect_open("pigment_map");
+  ColourMap map;
+  if (const Token t = peek(); t.kind == Token::Kind::expr) {
+    const Value* v = lookup(*t.tree, t.expr, true);
+    const auto* ref = v == nullptr ? nullptr : v->get<Shared<ColourMap>>();
+    if (ref == nullptr) unexpected(t, "a pigment map or `[`");
+    next();
+    map = **ref;
+  }
+  for (;;) {
+    const Token t = next();
+    if (t.kind == Token::Kind::close) break;
+    if (t.kind != Token::Kind::bracket_open) unexpected(t, "`[` or `}` in `pigment_map`");
+    scene::PigmentEntry entry;
+    entry.key = static_cast<float>(read_scalar("key"));
+    optional_comma();
+    scene::Pigment child = scene_.textures[default_texture_].layers.back().pigment;
+    child.origin = origin(t.span);
+    read_pigment_body(child, Token::Kind::bracket_close);
+    entry.pigment = static_cast<std::uint32_t>(map.children.size());
+    map.children.push_back(std::move(child));
+    map.entries.push_back(entry);
+  }
+  check_map(map);
+  return map;
+}
+
+// ---- finishes (shading §4.1) --------------------------------------------------------------------------
+
+scene::Finish Interpreter::read_finish(scene::Finish f) {
+  expect_open("finish");
+  const Span opened = peek().span;
+  bool diffuse_albedo = false;
+  bool phong_albedo = false;
+  bool specular_albedo = false;
+  for (;;) {
+    const Token t = next();
+    if (t.kind == Token::Kind::close) break;
+    if (t.is_punct(';')) continue;
+    if (t.kind == Token::Kind::expr) {
+      const Value* v = lookup(*t.tree, t.expr, true);
+      const auto* ref = v == nullptr ? nullptr : v->get<Shared<scene::Finish>>();
+      if (ref == nullptr) unexpected(t, "a finish or a setting of `finish`");
+      f = **ref;
+      continue;
+    }
+    if (t.kind != Token::Kind::word) unexpected(t, "a setting of `finish`");
+    const auto number = [&] { return static_cast<float>(read_float()); };
+    switch (t.word) {
+      case w::ambient: f.ambient = read_rgb(); break;
+      case w::emission: f.emission = read_rgb(); break;
+      case w::diffuse:
+        diffuse_albedo = accept(w::albedo);
+        f.diffuse = number();
+        f.diffuse_back = 0;
+        optional_comma();
+        if (starts_number(peek())) f.diffuse_back = number();
+        break;
+      case w::brilliance: f.brilliance = number(); break;
+      case w::phong:
+        phong_albedo = accept(w::albedo);
+        f.phong = number();
+        break;
+      case w::phong_size: f.phong_size = number(); break;
+      case w::specular:
+        specular_albedo = accept(w::albedo);
+        f.specular = number();
+        break;
+      case w::roughness:
+        f.roughness = number();
+        if (f.roughness == 0) warn(Code::out_of_range, t.span, "`roughness 0` makes no highlight");
+        break;
+      case w::metallic: f.metallic = starts_number(peek()) ? number() : 1; break;
+      case w::crand: f.crand = number(); break;
+      case w::conserve_energy: f.conserve_energy = true; break;
+      case w::reflection: read_reflection(f); break;
+      case w::reflection_exponent: f.reflection_exponent = number(); break;
+      case w::irid: {
+        expect_open("irid");
+        f.irid = number();
+        for (Token i = next(); i.kind != Token::Kind::close; i = next()) {
+          if (i.is(w::thickness)) {
+            f.irid_thickness = number();
+          } else if (i.is(w::turbulence)) {
+            f.irid_turbulence = static_cast<float>(read_vector().x);
+          } else {
+            unexpected(i, "`thickness` or `turbulence`");
+          }
+        }
+        break;
+      }
+      case w::subsurface: {
+        // Without `subsurface` in global_settings it has no effect (shading §4.4), and that one is
+        // an error by itself.
+        expect_open("subsurface");
+        skip_block();
+        break;
+      }
+      case w::ior: f.ior = number(); break;
+      case w::caustics: f.caustics = number(); break;
+      case w::refraction: f.refraction = number(); break;
+      default: {
+        Diagnostic d;
+        d.code = Code::unknown_setting;
+        d.span = t.span;
+        d.message = fmt::format("`finish` has no setting `{}`", name_of(t.word));
+        d.labels.push_back({opened, "in this block"});
+        fail(std::move(d));
+      }
+    }
+  }
+  // `albedo` uses the final exponents, whatever the order they were written in.
+  if (diffuse_albedo) {
+    f.diffuse *= (f.brilliance + 1) / 2;
+    f.diffuse_back *= (f.brilliance + 1) / 2;
+  }
+  if (phong_albedo) f.phong *= (f.phong_size + 1) / 2;
+  if (specular_albedo) {
+    const double m = f.roughness == 0 ? 0.0 : 1.0 / f.roughness;
+    f.specular *= static_cast<float>((m + 2) / (4 * (2 - std::exp2(-m / 2))));
+  }
+  return f;
+}
+
+/// `reflection c` or `reflection { c1, c2 fresnel … }`.
+void Interpreter::read_reflection(scene::Finish& f) {
+  f.reflection_falloff = 1;
+  f.fresnel = false;
+  if (raw_next().kind != Token::Kind::open) {
+    f.reflection_min = f.reflection_max = read_rgb();
+    return;
+  }
+  next();
+  f.reflection_exponent = 1;
+  f.reflection_metallic = 0;
+  f.reflection_max = read_rgb();
+  f.reflection_min = f.reflection_max;
+  bool two = false;
+  optional_comma();
+  if (const Token t = peek(); starts_colour(t) || starts_number(t)) {
+    f.reflection_max = read_rgb();
+    two = true;
+  }
+  for (Token t = next(); t.kind != Token::Kind::close; t = next()) {
+    const auto number = [&] { return static_cast<float>(read_float()); };
+    if (t.is_punct(';')) continue;
+    if (t.is(w::fresnel)) {
+      const float on = starts_number(peek()) ? number() : 1;
+      if (on != 0 && on != 1) {
+        fail(Code::out_of_range, t.span, "`fresnel` is 0 or 1");
+      }
+      f.fresnel = on == 1;
+    } else if (t.is(w::falloff)) {
+      f.reflection_falloff = number();
+    } else if (t.is(w::exponent)) {
+      f.reflection_exponent = number();
+    } else if (t.is(w::metallic)) {
+      f.reflection_metallic = starts_number(peek()) ? number() : 1;
+    } else {
+      unexpected(t, "a setting of `reflection`");
+    }
+  }
+  if (f.fresnel && !two) f.reflection_min = vec3(0.0F);
+}
+
+// ---- interiors and materials ---------------------------------------------------------------------------
+
+scene::InteriorId Interpreter::read_interior() {
+  expect_open("interior");
+  scene::Interior i;
+  i.origin = origin(peek().span);
+  for (;;) {
+    const Token t = next();
+    if (t.kind == Token::Kind::close) break;
+    if (t.is_punct(';')) continue;
+    if (t.kind == Token::Kind::expr) {
+      const Value* v = lookup(*t.tree, t.expr, true);
+      if (v != nullptr && v->get<InteriorRef>() != nullptr) {
+        i = scene_.interiors[v->get<InteriorRef>()->id];
+      } else if (v != nullptr && v->get<Shared<Unsupported>>() != nullptr) {
+        i.unsupported = (*v->get<Shared<Unsupported>>())->feature;
+      } else {
+        unexpected(t, "an interior or a setting of `interior`");
+      }
+      continue;
+    }
+    if (t.kind != Token::Kind::word) unexpected(t, "a setting of `interior`");
+    switch (t.word) {
+      case w::ior: i.ior = read_float(); break;
+      case w::dispersion: i.dispersion = read_float(); break;
+      case w::dispersion_samples:
+        i.dispersion_samples = static_cast<int>(read_float());
+        if (i.dispersion_samples < 2) fail(Code::out_of_range, t.span, "`dispersion_samples` must be at least 2");
+        break;
+      case w::caustics: i.caustics = static_cast<float>(read_float()); break;
+      case w::fade_distance: i.fade_distance = read_float(); break;
+      case w::fade_power: i.fade_power = read_float(); break;
+      case w::fade_color: case w::fade_colour: i.fade_colour = read_rgb(); break;
+      case w::refraction: i.refraction = static_cast<float>(read_float()); break;
+      case w::media:
+        i.unsupported = "`media`";
+        expect_open("media");
+        skip_block();
+        break;
+      default:
+        fail(Code::unknown_setting, t.span, fmt::format("`interior` has no setting `{}`", name_of(t.word)));
+    }
+  }
+  scene_.interiors.push_back(std::move(i));
+  return static_cast<scene::InteriorId>(scene_.interiors.size() - 1);
+}
+
+Material Interpreter::read_material() {
+  expect_open("material");
+  Material m;
+  scene::TextureUse texture;
+  scene::TextureUse inner;
+  for (;;) {
+    const Token t = next();
+    if (t.kind == Token::Kind::close) break;
+    if (t.is_punct(';')) continue;
+    if (t.kind == Token::Kind::expr) {
+      const Value* v = lookup(*t.tree, t.expr, true);
+      const auto* ref = v == nullptr ? nullptr : v->get<Shared<Material>>();
+      if (ref == nullptr) unexpected(t, "a material, texture or interior");
+      m = **ref;
+      texture = {m.texture, {}};
+      inner = {m.interior_texture, {}};
+      continue;
+    }
+    if (const auto transform = read_transformation(t)) {
+      // Moves the texture, not the interior texture (textures §14.3).
+      texture.transform = texture.transform.then(*transform);
+      continue;
+    }
+    if (t.is(w::texture)) {
+      add_layers(texture, read_texture("texture"));
+    } else if (t.is(w::interior_texture)) {
+      add_layers(inner, read_texture("interior_texture"));
+    } else if (t.is(w::interior)) {
+      m.interior = read_interior();
+    } else if (t.is(w::pigment) || t.is(w::finish) || t.is(w::normal)) {
+      edit_texture(texture, t);
+    } else {
+      unexpected(t, "a texture, interior or transformation in `material`");
+    }
+  }
+  const auto settle = [&](const scene::TextureUse& use) {
+    if (use.texture == scene::none || use.transform.is_identity()) return use.texture;
+    return add_texture(materialize(use));
+  };
+  m.texture = settle(texture);
+  m.interior_texture = settle(inner);
+  return m;
+}
+
+}  // namespace durer::interpreter

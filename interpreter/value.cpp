@@ -1,0 +1,50 @@
+#include "interpreter/value.h"
+
+namespace durer::interpreter {
+
+std::string_view kind_name(const Value& value) {
+  struct Visitor {
+    std::string_view operator()(std::monostate) const { return "nothing"; }
+    std::string_view operator()(const Num& n) const {
+      switch (n.length) {
+        case 1: return "a float";
+        case 2: return "a uv-vector";
+        case 3: return "a vector";
+        case 4: return "a four-vector";
+        default: return "a colour";
+      }
+    }
+    std::string_view operator()(const Shared<Text>&) const { return "a string"; }
+    std::string_view operator()(const std::shared_ptr<Array>&) const { return "an array"; }
+    std::string_view operator()(MacroRef) const { return "a macro"; }
+    std::string_view operator()(ObjectRef) const { return "an object"; }
+    std::string_view operator()(TextureRef) const { return "a texture"; }
+    std::string_view operator()(const Shared<scene::Pigment>&) const { return "a pigment"; }
+    std::string_view operator()(const Shared<scene::Finish>&) const { return "a finish"; }
+    std::string_view operator()(const Shared<ColourMap>&) const { return "a colour map"; }
+    std::string_view operator()(InteriorRef) const { return "an interior"; }
+    std::string_view operator()(const Shared<Material>&) const { return "a material"; }
+    std::string_view operator()(const Shared<Transform>&) const { return "a transform"; }
+    std::string_view operator()(const Shared<CameraSpec>&) const { return "a camera"; }
+    std::string_view operator()(const Shared<scene::SkySphere>&) const { return "a sky sphere"; }
+    std::string_view operator()(const std::shared_ptr<DataFile>&) const { return "an open file"; }
+    std::string_view operator()(const Shared<Unsupported>& u) const { return u->feature; }
+  };
+  return std::visit(Visitor{}, value.node);
+}
+
+std::string to_bytes(const Text& text) {
+  std::string s;
+  s.reserve(text.size());
+  for (const char16_t c : text) s += c > 127 ? ' ' : static_cast<char>(c);
+  return s;
+}
+
+Text from_bytes(std::string_view bytes) {
+  Text t;
+  t.reserve(bytes.size());
+  for (const char c : bytes) t += static_cast<char16_t>(static_cast<unsigned char>(c));
+  return t;
+}
+
+}  // namespace durer::interpreter

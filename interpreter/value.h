@@ -1,0 +1,128 @@
+// What a name of the language can stand for.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/colour.h"
+#include "base/transform.h"
+#include "base/vec.h"
+#include "grammar/ast.h"
+#include "scene/scene.h"
+
+namespace durer::interpreter {
+
+/// One to five components: float, uv-vector, vector, four-vector, colour (language §2.1).
+///
+/// `length` is what the language thinks it is; slots beyond it can still matter: `.y` writes slot 0
+/// and sets the length to 1, and a reader of three components then takes the old slots 1 and 2 with
+/// it (language §2.4). Slots of vectors beyond their length are 0.
+struct Num {
+  std::array<double, 5> v{};
+  int length = 1;
+
+  Num() = default;
+  explicit Num(double x) : v{x} {}
+  explicit Num(dvec3 p) : v{p.x, p.y, p.z}, length(3) {}
+  explicit Num(const Colour& c)
+      : v{c.rgb.x, c.rgb.y, c.rgb.z, c.filter, c.transmit}, length(5) {}
+
+  /// A float where `n` components are wanted: every slot filled, `n` long.
+  [[nodiscard]] static Num filled(double x, int n) {
+    Num r;
+    for (int i = 0; i < n; ++i) r.v[static_cast<std::size_t>(i)] = x;
+    r.length = n;
+    return r;
+  }
+  [[nodiscard]] dvec3 vec() const { return {v[0], v[1], v[2]}; }
+  [[nodiscard]] Colour colour() const {
+    return {{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])},
+            static_cast<float>(v[3]),
+            static_cast<float>(v[4])};
+  }
+};
+
+/// Strings are 16-bit codes (language §1.4).
+using Text = std::u16string;
+
+struct Value;
+
+/// One to five dimensions, row-major. The first element assigned fixes the kind of all.
+struct Array {
+  std::vector<std::size_t> sizes;
+  std::vector<Value> elements;
+};
+
+/// A macro is its syntax; nothing is copied.
+struct MacroRef {
+  const ast::Tree* tree = nullptr;
+  const ast::Macro* macro = nullptr;
+};
+
+struct ObjectRef {
+  scene::ObjectId id = scene::none;
+};
+struct TextureRef {
+  scene::TextureId id = scene::none;
+};
+struct InteriorRef {
+  scene::InteriorId id = scene::none;
+};
+struct Material {
+  scene::TextureId texture = scene::none;
+  scene::TextureId interior_texture = scene::none;
+  scene::InteriorId interior = scene::none;
+};
+struct ColourMap {
+  std::vector<scene::PigmentEntry> entries;
+  std::vector<scene::Pigment> children;
+};
+/// The written state of a camera, before angle and look_at are worked out (shading §2.2).
+struct CameraSpec;
+class DataFile;
+
+/// A value of a kind that this version knows but cannot use yet. It may be declared and passed
+/// around; whoever uses it gets an error that names `feature`.
+struct Unsupported {
+  std::string feature;
+  Span span;
+};
+
+template <typename T>
+using Shared = std::shared_ptr<const T>;
+
+struct Value {
+  using Node =
+      std::variant<std::monostate, Num, Shared<Text>, std::shared_ptr<Array>, MacroRef, ObjectRef,
+                   TextureRef, Shared<scene::Pigment>, Shared<scene::Finish>, Shared<ColourMap>,
+                   InteriorRef, Shared<Material>, Shared<Transform>, Shared<CameraSpec>,
+                   Shared<scene::SkySphere>, std::shared_ptr<DataFile>, Shared<Unsupported>>;
+  Node node;
+
+  Value() = default;
+  template <typename T>
+  Value(T x) : node(std::move(x)) {}  // NOLINT: values convert freely, as in the language
+
+  template <typename T>
+  [[nodiscard]] const T* get() const {
+    return std::get_if<T>(&node);
+  }
+  template <typename T>
+  [[nodiscard]] T* get() {
+    return std::get_if<T>(&node);
+  }
+  [[nodiscard]] bool defined() const { return node.index() != 0; }
+};
+
+/// "a float", "a vector", "a string", … for messages.
+[[nodiscard]] std::string_view kind_name(const Value& v);
+
+/// Codes above 127 become spaces, as in every message of the language.
+[[nodiscard]] std::string to_bytes(const Text& text);
+[[nodiscard]] Text from_bytes(std::string_view bytes);
+
+}  // namespace durer::interpreter

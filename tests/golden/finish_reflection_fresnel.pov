@@ -1,0 +1,11 @@
+// golden: +W96 +H72 -A; psnr >= 45; bent and mirrored rays magnify last-bit differences at edges
+#version 3.7;
+global_settings { assumed_gamma 1 }
+// The reflectivity of glass and of a denser body, from the interior's index.
+camera { location <0, 1.4, -7> look_at <0, -0.1, 0> angle 40 }
+light_source { <-4, 6, -6> rgb 1 }
+background { rgb <0.3, 0.4, 0.6> }
+sphere { <-1.6, 0, 0>, 0.736 pigment { rgb <0.9, 0.55, 0.25> } finish { diffuse 0.3 reflection { 1 fresnel } } interior { ior 1.5 } }
+sphere { <0, 0, 0>, 0.736 pigment { rgb <0.9, 0.55, 0.25> } finish { diffuse 0.3 reflection { 0.1, 1 fresnel } } interior { ior 2.4 } }
+sphere { <1.6, 0, 0>, 0.736 pigment { rgb <0.9, 0.55, 0.25> } finish { diffuse 0.3 reflection { rgb <0.5, 0.8, 1> fresnel on } } interior { ior 1.33 } }
+box { <-3.5, -1, -3.5>, <3.5, -0.9, 2.5> pigment { checker rgb 0.8, rgb <0.35, 0.45, 0.4> } }

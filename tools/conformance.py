@@ -1,0 +1,273 @@
+#!/usr/bin/env python3
+"""Renders the scenes of Debian's povray-examples with durer and with POV-Ray and compares the pictures.
+
+The oracle's pictures are kept in $DURER_ORACLE_CACHE (default: ~/.cache/durer/oracle), each with a
+log whose last line is `rc=<exit code> time=<seconds>`, so each scene is rendered by the oracle once.
+
+Exit codes: 0 no scene got worse than the baseline, 1 some did or durer crashed, 2 wrong usage,
+77 the oracle or its examples are not installed.
+"""
+
+import argparse
+import fnmatch
+import os
+import re
+import subprocess
+import sys
+from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+import pictures
+import png
+import programs
+import report
+
+OPTIONS = ["+W160", "+H120", "-A", "-D"]
+ORACLE_LIMIT, DURER_LIMIT = 300.0, 60.0  # seconds
+BASELINE = programs.ROOT / "tests" / "examples" / "baseline.tsv"
+ORACLE_FAILS = "the oracle fails"
+RANK = {"exact": 4, "match": 3, "near": 2, "wrong": 1, "fail": 0}
+CLASSES = [*RANK, ORACLE_FAILS]
+
+
+@dataclass(frozen=True)
+class Row:
+    """One scene's verdict. Times in seconds; `psnr` is None where there is nothing to compare."""
+
+    scene: str
+    kind: str  # one of CLASSES
+    psnr: float | None
+    note: str
+    oracle_time: float
+    durer_time: float
+    crashed: bool = False
+    oracle: png.Picture | None = None
+    durer: png.Picture | None = None
+
+
+# ---- scenes and the oracle's pictures ----------------------------------------------------------
+
+def find_scenes() -> dict[str, Path]:
+    """Every example scene, by its path below the examples' folder; empty if they are not installed."""
+    try:
+        listing = subprocess.run(["dpkg", "-L", "povray-examples"], capture_output=True, check=False)
+    except FileNotFoundError:
+        return {}
+    paths = sorted(Path(os.fsdecode(line)) for line in listing.stdout.splitlines() if line.endswith(b".pov"))
+    if not paths:
+        return {}
+    top = Path(os.path.commonpath([path.parent for path in paths]))
+    return {str(path.relative_to(top)): path for path in paths if path.exists()}
+
+
+def cache_folder() -> Path:
+    home = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
+    return Path(os.environ.get("DURER_ORACLE_CACHE") or home / "durer" / "oracle")
+
+
+def oracle_picture(name: str, scene: Path) -> tuple[png.Picture | None, str, float]:
+    """The oracle's picture of a scene, what it says if it makes none, and its time in seconds."""
+    picture = (cache_folder() / name).with_suffix(".png")
+    log = picture.with_name(picture.name + ".log")
+    known = _read_cached(picture, log)
+    if known:
+        return known
+    result = programs.render_with_oracle(scene, OPTIONS, ORACLE_LIMIT)
+    picture.parent.mkdir(parents=True, exist_ok=True)
+    if result.picture:
+        _replace(picture, png.encode(result.picture))
+    code = 0 if result.picture else 124 if result.run.timed_out else result.run.code or 1
+    _replace(log, f"{result.run.err}\nrc={code} time={result.run.wall:.6f}\n".encode())
+    return result.picture, result.error, result.run.wall
+
+
+def _read_cached(picture: Path, log: Path) -> tuple[png.Picture | None, str, float] | None:
+    if not log.exists():
+        return None
+    text = log.read_text("utf-8", "replace")
+    last = re.search(r"^rc=(-?\d+) time=([\d.]+)\s*\Z", text, re.MULTILINE)
+    if not last:
+        return None
+    code, seconds = int(last[1]), float(last[2])
+    if code == 0:
+        return (png.read(picture), "", seconds) if picture.exists() else None
+    error = f"timed out after {ORACLE_LIMIT:g} s" if code == 124 else programs.first_error(_without_banner(text))
+    return None, error, seconds
+
+
+def _without_banner(log: str) -> str:
+    """The oracle's log without the greeting that precedes the first stage."""
+    return log[max(log.find("[Parsing"), 0):]
+
+
+def _replace(path: Path, data: bytes) -> None:
+    part = path.with_name(f"{path.name}.{os.getpid()}.part")
+    part.write_bytes(data)
+    part.replace(path)
+
+
+# ---- verdicts ----------------------------------------------------------------------------------
+
+def judge(name: str, scene: Path) -> Row:
+    """Renders one scene with both programs and compares."""
+    expected, oracle_error, oracle_time = oracle_picture(name, scene)
+    result = programs.render_with_durer(scene, OPTIONS, DURER_LIMIT)
+    made, crashed = result.picture, result.run.code < 0 and not result.run.timed_out
+
+    def row(kind: str, note: str = "", decibels: float | None = None) -> Row:
+        return Row(name, kind, decibels, note, oracle_time, result.run.wall, crashed, expected, made)
+
+    if expected is None:
+        return row(ORACLE_FAILS, f"{oracle_error}; durer: {result.error or 'renders it'}")
+    if made is None:
+        return row("fail", result.error)
+    if (made.width, made.height) != (expected.width, expected.height):
+        return row("wrong", f"{made.width}x{made.height} pixels")
+    decibels = pictures.psnr(made, expected)
+    return row(pictures.class_of(decibels), "", decibels)
+
+
+def read_baseline(path: Path) -> dict[str, tuple[str, str]]:
+    """Scene → (class, PSNR as text)."""
+    if not path.exists():
+        return {}
+    rows = (line.split("\t") for line in path.read_text("utf-8").splitlines() if line and line[0] != "#")
+    return {scene: (kind, decibels) for scene, kind, decibels in rows}
+
+
+def write_baseline(path: Path, rows: list[Row], known: dict[str, tuple[str, str]]) -> None:
+    """Writes what is known, with `rows` in place of their older verdicts."""
+    merged = known | {row.scene: (row.kind, _decibels(row)) for row in rows}
+    lines = ["# scene, class, PSNR in dB; `make conformance-baseline` writes this file"]
+    lines += ["\t".join((scene, *merged[scene])) for scene in sorted(merged)]
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text("\n".join(lines) + "\n", "utf-8")
+
+
+def changes(rows: list[Row], baseline: dict[str, tuple[str, str]], worse: bool) -> list[str]:
+    """What got worse, or better, than the baseline; one line each."""
+    found = []
+    for row in rows:
+        before = baseline.get(row.scene, ("", ""))[0]
+        if before in RANK and row.kind in RANK:
+            step = RANK[row.kind] - RANK[before]
+            if (step < 0) if worse else (step > 0):
+                found.append(f"{row.scene}: {before} → {row.kind} {row.note}".rstrip())
+    return found
+
+
+# ---- output ------------------------------------------------------------------------------------
+
+def _decibels(row: Row) -> str:
+    return "-" if row.psnr is None else pictures.text(row.psnr)
+
+
+def line_of(row: Row, width: int) -> str:
+    return (f"{row.scene:<{width}}  {row.kind:<16} {_decibels(row):>5}  "
+            f"{row.oracle_time:8.2f}  {row.durer_time:8.2f}  {row.note}").rstrip()
+
+
+def summary(rows: list[Row]) -> str:
+    count = Counter(row.kind for row in rows)
+    crashes = sum(row.crashed for row in rows)
+    parts = [f"{count[kind]} {kind}" + (f" ({crashes} crashed)" if kind == "fail" and crashes else "")
+             for kind in CLASSES]
+    both = [row for row in rows if row.psnr is not None]
+    oracle, durer = sum(row.oracle_time for row in both), sum(row.durer_time for row in both)
+    ratio = f", {oracle / durer:.1f} times as fast" if durer > 0 else ""
+    return (f"{len(rows)} scenes: {', '.join(parts)}; "
+            f"the {len(both)} that both render: oracle {oracle:.1f} s, durer {durer:.1f} s{ratio}")
+
+
+def choose(scenes: dict[str, Path], filters: list[str], listed: Path | None) -> dict[str, Path]:
+    """The scenes that a list file names (all without one) and that some filter fits: part of the name,
+    or a pattern with * and ?."""
+    chosen = scenes
+    if listed:
+        lines = (line.split("#")[0].strip() for line in listed.read_text("utf-8").splitlines())
+        names = [line for line in lines if line]
+        unknown = [name for name in names if name not in scenes]
+        if unknown:
+            sys.exit(f"conformance: {listed} names scenes that are not installed: {', '.join(unknown)}")
+        chosen = {name: scenes[name] for name in names}
+    if filters:
+        chosen = {name: path for name, path in chosen.items() if any(_fits(name, word) for word in filters)}
+    return chosen
+
+
+def _fits(name: str, word: str) -> bool:
+    return fnmatch.fnmatch(name, word) if any(mark in word for mark in "*?[") else word in name
+
+
+def options() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("filter", nargs="*", help="part of a scene's path, or a pattern with * and ?")
+    parser.add_argument("--list", type=Path, metavar="FILE", help="only the scenes that this file names")
+    parser.add_argument("--jobs", type=int, default=1, metavar="N",
+                        help="scenes at a time (default 1; more make the times meaningless)")
+    parser.add_argument("--html", type=Path, metavar="FOLDER", help="write a page with all pictures there")
+    parser.add_argument("--baseline", type=Path, default=BASELINE, metavar="FILE")
+    parser.add_argument("--update-baseline", action="store_true", help="take these verdicts as the new baseline")
+    parser.add_argument("--oracle-only", action="store_true", help="only fill the cache of the oracle's pictures")
+    return parser.parse_args()
+
+
+def missing() -> str:
+    """What is not installed, or nothing."""
+    if not programs.oracle_path():
+        return "POV-Ray is not installed"
+    return "" if find_scenes() else "POV-Ray's example scenes are not installed"
+
+
+def main() -> int:
+    args = options()
+    if reason := missing():
+        print(f"SKIPPED: the comparison with the oracle did not run: {reason}; {programs.HOW_TO_INSTALL_ORACLE}")
+        return programs.SKIPPED
+    scenes = choose(find_scenes(), args.filter, args.list)
+    if not scenes:
+        print("conformance: no scene fits the filter", file=sys.stderr)
+        return 2
+    if args.oracle_only:
+        for name, path in scenes.items():
+            _, error, seconds = oracle_picture(name, path)
+            print(f"{name}  {seconds:.2f}  {error}".rstrip(), flush=True)
+        return 0
+    if not programs.durer_path().exists():
+        print(f"conformance: {programs.durer_path()} is not built: `make build`", file=sys.stderr)
+        return 2
+    return compare(scenes, args)
+
+
+def compare(scenes: dict[str, Path], args: argparse.Namespace) -> int:
+    width = max(map(len, scenes))
+    print(f"{'scene':<{width}}  {'class':<16} {'dB':>5}  {'oracle s':>8}  {'durer s':>8}  note")
+    rows = []
+    with ThreadPoolExecutor(max(1, args.jobs)) as pool:
+        for row in pool.map(judge, scenes.keys(), scenes.values()):
+            print(line_of(row, width), flush=True)
+            rows.append(row)
+
+    baseline = read_baseline(args.baseline)
+    regressions = changes(rows, baseline, worse=True)
+    improvements = changes(rows, baseline, worse=False)
+    if args.html:
+        page = report.write(args.html, rows, summary(rows), regressions)
+        print(f"\npictures: {page}")
+    for title, lines in (("better than the baseline", improvements), ("WORSE than the baseline", regressions)):
+        if lines:
+            print(f"\n{title}:", *lines, sep="\n  ")
+    if args.update_baseline:
+        write_baseline(args.baseline, rows, baseline)
+    print("\n" + summary(rows))
+    crashed = any(row.crashed for row in rows)
+    return 1 if crashed or (regressions and not args.update_baseline) else 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:
+        sys.exit(130)

@@ -1,0 +1,94 @@
+#include "tracer/compile.h"
+
+#include "tracer/compiled_scene.h"
+#include "tracer/patterns/patterns.h"
+#include "tracer/primitives/registry.h"
+#include "tracer/unsupported.h"
+
+namespace durer::tracer {
+namespace {
+
+// Words of a finish that are meant for the interior count in plain textures only; of several
+// layers, the outermost speaks.
+const scene::Finish* interior_words(const scene::Scene& scene, const Surface& surface) {
+  const scene::Texture& texture = scene.textures[surface.texture.texture];
+  return texture.layers.empty() ? nullptr : &texture.layers.back().finish;
+}
+
+bool all_supported(const scene::Scene& scene, const Geometry& geometry,
+                   Diagnostics& diagnostics) {
+  UnsupportedReport report(scene, diagnostics);
+  for (const Leaf& leaf : geometry.leaves()) {
+    const Surface& surface = geometry.surfaces()[leaf.surface];
+    report.check_texture(surface.texture.texture);
+    if (surface.interior_texture.texture != scene::none) {
+      report.check_texture(surface.interior_texture.texture);
+    }
+    const scene::InteriorId interior = geometry.interiors()[leaf.interior].interior;
+    if (interior != scene::none) report.check_interior(interior);
+  }
+  if (scene.sky_sphere) {
+    for (const scene::Pigment& p : scene.sky_sphere->pigments) report.check_pigment(p);
+  }
+  return !diagnostics.has_errors();
+}
+
+void compile_surfaces(CompiledScene& out) {
+  std::vector<bool> opaque;
+  for (const Surface& s : out.geometry.surfaces()) {
+    SurfaceProgram program;
+    program.outside = out.textures.add(s.texture);
+    program.inside = s.interior_texture.texture == scene::none
+                         ? program.outside
+                         : out.textures.add(s.interior_texture);
+    program.double_illuminate = s.double_illuminate;
+    out.surfaces.push_back(program);
+    opaque.push_back(out.textures.program(program.outside).opaque &&
+                     out.textures.program(program.inside).opaque);
+  }
+  out.geometry.set_opaque(std::move(opaque));
+}
+
+void compile_interiors(const scene::Scene& scene, CompiledScene& out) {
+  const auto instances = out.geometry.interiors();
+  std::vector<const scene::Finish*> finishes(instances.size());
+  for (const Leaf& leaf : out.geometry.leaves()) {
+    finishes[leaf.interior] = interior_words(scene, out.geometry.surfaces()[leaf.surface]);
+  }
+  for (std::size_t i = 0; i < instances.size(); ++i) {
+    const scene::InteriorId id = instances[i].interior;
+    const scene::Interior* interior = id == scene::none ? nullptr : &scene.interiors[id];
+    out.interiors.push_back(compile_interior(interior, instances[i].hollow, finishes[i]));
+  }
+}
+
+void find_camera(const scene::Scene& scene, CompiledScene& out) {
+  std::vector<std::uint32_t> around;
+  const GeometryScratchPtr scratch = out.geometry.make_scratch();
+  out.geometry.containing(scene.camera.location, around, *scratch);
+  for (const std::uint32_t id : around) out.around_camera.append(id);
+}
+
+}  // namespace
+
+const scene::Registry& registry() {
+  static const scene::Registry all{primitive_infos(), pattern_infos()};
+  return all;
+}
+
+void DeleteCompiledScene::operator()(const CompiledScene* s) const { delete s; }
+
+CompiledScenePtr compile(const scene::Scene& scene, Diagnostics& diagnostics) {
+  std::optional<Geometry> geometry = Geometry::build(scene, diagnostics);
+  if (!geometry || !all_supported(scene, *geometry, diagnostics)) return nullptr;
+  auto out = std::make_unique<CompiledScene>(scene, std::move(*geometry));
+  compile_surfaces(*out);
+  compile_interiors(scene, *out);
+  for (const scene::Light& light : out->geometry.lights()) {
+    out->lights.push_back(compile_light(light));
+  }
+  find_camera(scene, *out);
+  return CompiledScenePtr(out.release());
+}
+
+}  // namespace durer::tracer

@@ -1,0 +1,116 @@
+// Anti-aliasing method 1 (shading §3.2): refine pixels that differ from their neighbours, block by
+// block; every block stands alone.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <glm/vec4.hpp>
+#include <vector>
+
+#include "base/gamma.h"
+#include "tracer/film/jitter.h"
+
+namespace durer::tracer {
+
+/// Red, green, blue, transmittance.
+using Pixel = glm::vec4;
+
+/// Pixels of the full picture; ends are exclusive.
+struct Block {
+  int left = 0;
+  int top = 0;
+  int right = 0;
+  int bottom = 0;
+};
+
+struct AntialiasOptions {
+  float threshold = 0.3F;
+  int depth = 3;
+  float jitter = 1;
+  float gamma = 2.5F;
+  GammaCurve working;  // of the scene's numbers
+};
+
+/// Buffers and rules for one block at a time.
+class Antialias {
+ public:
+  explicit Antialias(const AntialiasOptions& options) : options_(options) {}
+
+  /// Renders `block`. `sample(x, y, i)`: the picture at a position where whole numbers are pixel
+  /// centres; i is 0 for the centre, 1… for the others. `put(x, y, pixel)` takes the results.
+  template <typename Sample, typename Put>
+  void render(const Block& block, const Sample& sample, const Put& put) {
+    start(block);
+    for (int x = block.left; x < block.right; ++x) take_centre(x, block.top - 1, sample).done = true;
+    for (int y = block.top; y < block.bottom; ++y) {
+      take_centre(block.left - 1, y, sample).done = true;
+      for (int x = block.left; x < block.right; ++x) visit(x, y, sample);
+    }
+    for (int y = block.top; y < block.bottom; ++y) {
+      for (int x = block.left; x < block.right; ++x) put(x, y, cell(x, y).value);
+    }
+  }
+
+ private:
+  struct Cell {
+    Pixel value{0.0F};
+    Pixel metric{0.0F};  // the value as comparisons see it
+    bool done = false;   // refined, or not to be
+  };
+
+  void start(const Block& block);
+  Cell& cell(int x, int y) {
+    return cells_[static_cast<std::size_t>(y - top_) * stride_ + (x - left_)];
+  }
+  void set(Cell& c, const Pixel& value) const;
+  [[nodiscard]] bool differ(const Cell& a, const Cell& b) const;
+
+  template <typename Sample>
+  Cell& take_centre(int x, int y, const Sample& sample) {
+    Cell& c = cell(x, y);
+    set(c, sample(x, y, 0U));
+    return c;
+  }
+
+  // Compares before any refinement; a neighbour that differs is refined as well, once.
+  template <typename Sample>
+  void visit(int x, int y, const Sample& sample) {
+    const Cell& here = take_centre(x, y, sample);
+    const bool left = differ(here, cell(x - 1, y));
+    const bool above = differ(here, cell(x, y - 1));
+    if (left) refine(x - 1, y, sample);
+    if (above) refine(x, y - 1, sample);
+    if (left || above) refine(x, y, sample);
+  }
+
+  template <typename Sample>
+  void refine(int x, int y, const Sample& sample) {
+    Cell& c = cell(x, y);
+    if (c.done) return;
+    const int n = options_.depth;
+    const double step = 1.0 / n;
+    const double start = -(0.5 - step / 2);
+    Pixel sum = c.value;
+    std::uint32_t index = 0;
+    for (int j = 0; j < n; ++j) {
+      for (int i = 0; i < n; ++i) {
+        // Offsets first: the hash below sees the last bit of a position.
+        dvec2 at(x + (start + i * step), y + (start + j * step));
+        if (options_.jitter > 0) {
+          at += jitter(at.x, at.y) * (static_cast<double>(options_.jitter) / n);
+        }
+        sum += sample(at.x, at.y, ++index);
+      }
+    }
+    set(c, sum / static_cast<float>(n * n + 1));
+    c.done = true;
+  }
+
+  AntialiasOptions options_;
+  std::vector<Cell> cells_;
+  int left_ = 0;
+  int top_ = 0;
+  int stride_ = 0;
+};
+
+}  // namespace durer::tracer

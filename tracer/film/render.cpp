@@ -1,0 +1,159 @@
+// The picture: blocks to threads, samples to pixels (shading §2.3, §3).
+#include "tracer/render.h"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "tracer/cameras/orthographic.h"
+#include "tracer/cameras/perspective.h"
+#include "tracer/film/antialias.h"
+#include "tracer/film/progress.h"
+#include "tracer/transport/trace.h"
+
+namespace durer::tracer {
+namespace {
+
+Block part_of(const RenderOptions& o) {
+  const auto end = [](int wanted, int all) { return wanted < 0 ? all : std::min(wanted, all); };
+  return {std::max(0, o.first_column), std::max(0, o.first_row), end(o.end_column, o.width),
+          end(o.end_row, o.height)};
+}
+
+std::vector<Block> blocks_of(const Block& part, int size) {
+  std::vector<Block> blocks;
+  for (int y = part.top; y < part.bottom; y += size) {
+    for (int x = part.left; x < part.right; x += size) {
+      blocks.push_back({x, y, std::min(x + size, part.right), std::min(y + size, part.bottom)});
+    }
+  }
+  return blocks;
+}
+
+// Well-mixed start of the random numbers of one sample.
+std::uint32_t seed(int x, int y, std::uint32_t index) {
+  std::uint32_t h = static_cast<std::uint32_t>(x) * 0x8DA6B343U ^
+                    static_cast<std::uint32_t>(y) * 0xD8163841U ^ index * 0xCB1AB31FU;
+  h = (h ^ (h >> 16)) * 0x7FEB352DU;
+  h = (h ^ (h >> 15)) * 0x846CA68BU;
+  return h ^ (h >> 16);
+}
+
+// Renders blocks on one thread through one kind of camera.
+template <typename Camera>
+class BlockRenderer {
+ public:
+  BlockRenderer(const CompiledScene& scene, const RenderOptions& options, image::Image& image)
+      : scene_(&scene),
+        options_(&options),
+        image_(&image),
+        camera_(scene.scene->camera),
+        scratch_(scene),
+        tracer_(scene, scratch_, options.alpha),
+        antialias_({options.aa_threshold, options.aa_depth, options.aa_jitter, options.aa_gamma,
+                    scene.scene->settings.assumed_gamma}) {}
+
+  void render(const Block& block) {
+    const auto take = [this](double x, double y, std::uint32_t i) { return sample(x, y, i); };
+    const auto put = [this](int x, int y, const Pixel& p) { store(x, y, p); };
+    if (options_->antialias) {
+      antialias_.render(block, take, put);
+      return;
+    }
+    for (int y = block.top; y < block.bottom; ++y) {
+      for (int x = block.left; x < block.right; ++x) store(x, y, sample(x, y, 0));
+    }
+  }
+
+  [[nodiscard]] std::uint64_t rays() const { return scratch_.rays; }
+
+ private:
+  Pixel sample(double x, double y, std::uint32_t index) {
+    const double u = (x + 0.5) / options_->width - 0.5;
+    const double v = 0.5 - (y + 0.5) / options_->height;
+    scratch_.noise = seed(static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y)), index);
+    Path path;
+    path.ray = camera_.ray(u, v);
+    path.inside = Camera::one_origin ? scene_->around_camera : around(path.ray.o);
+    const Radiance r = tracer_.trace(path);
+    return {r.colour, r.transmittance};
+  }
+
+  Containment around(dvec3 p) {
+    Containment inside;
+    scratch_.containing.clear();
+    scene_->geometry.containing(p, scratch_.containing, *scratch_.geometry);
+    for (const std::uint32_t id : scratch_.containing) inside.append(id);
+    return inside;
+  }
+
+  void store(int x, int y, const Pixel& p) {
+    const auto out = image_->at(x, y);
+    for (int i = 0; i < 3; ++i) out[i] = p[i];
+    out[3] = 1 - p.w;
+  }
+
+  const CompiledScene* scene_;
+  const RenderOptions* options_;
+  image::Image* image_;
+  Camera camera_;
+  Scratch scratch_;
+  Tracer tracer_;
+  Antialias antialias_;
+};
+
+// Threads take the next block in row-major order until none is left.
+template <typename Camera>
+void render_blocks(const CompiledScene& scene, const RenderOptions& options,
+                   const std::vector<Block>& blocks, int threads, ProgressMeter& meter,
+                   image::Image& image) {
+  std::atomic<std::size_t> next{0};
+  const auto work = [&](int) {
+    BlockRenderer<Camera> renderer(scene, options, image);
+    std::uint64_t counted = 0;
+    for (std::size_t i = next++; i < blocks.size() && !meter.cancelled(); i = next++) {
+      const Block& b = blocks[i];
+      renderer.render(b);
+      const auto pixels = static_cast<std::uint64_t>(b.right - b.left) * (b.bottom - b.top);
+      meter.add(pixels, renderer.rays() - counted);
+      counted = renderer.rays();
+    }
+  };
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  tbb::task_arena arena(threads);
+  arena.execute([&] { tbb::parallel_for(0, threads, work, tbb::simple_partitioner()); });
+}
+
+}  // namespace
+
+RenderResult render(const CompiledScene& scene, const RenderOptions& options,
+                    const std::function<void(const Progress&)>& on_progress,
+                    const std::atomic<bool>* cancel) {
+  // Without anti-aliasing pixels are independent, and small blocks share the work out better.
+  constexpr int small_block = 16;
+  const int size = options.antialias ? options.block_size : std::min(options.block_size, small_block);
+  const Block part = part_of(options);
+  const std::vector<Block> blocks = blocks_of(part, std::max(1, size));
+  const int hardware = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const int threads = options.threads > 0 ? options.threads : hardware;
+
+  RenderResult result{image::Image(options.width, options.height), {}, false};
+  std::uint64_t pixels = 0;
+  for (const Block& b : blocks) {
+    pixels += static_cast<std::uint64_t>(b.right - b.left) * (b.bottom - b.top);
+  }
+  ProgressMeter meter(pixels, on_progress, cancel);
+  if (scene.scene->camera.kind == scene::Camera::Kind::orthographic) {
+    render_blocks<OrthographicCamera>(scene, options, blocks, threads, meter, result.image);
+  } else {
+    render_blocks<PerspectiveCamera>(scene, options, blocks, threads, meter, result.image);
+  }
+  result.final = meter.now();
+  result.cancelled = meter.cancelled();
+  return result;
+}
+
+}  // namespace durer::tracer

@@ -1,0 +1,112 @@
+#include "tracer/shading/finish.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+namespace durer::tracer {
+namespace {
+
+float greatest(vec3 c) { return std::max({c.x, c.y, c.z}); }
+
+// How far a metal's colour shows at an angle: towards grazing it turns white (shading §4.5).
+vec3 metal_tint(float metallic, double cosine, vec3 pigment) {
+  const double x = std::abs(std::acos(std::clamp(cosine, -1.0, 1.0))) / (std::numbers::pi / 2);
+  const double u = x - 1.12;
+  const double phi = std::clamp(0.014567225 / (u * u) - 0.011612903, 0.0, 1.0);
+  return 1.0F + static_cast<float>(metallic * (1 - phi)) * (pigment - 1.0F);
+}
+
+vec3 blend(const Finish& f, double share) {
+  if (std::abs(share) < epsilon) return f.reflection_min;
+  if (std::abs(share - 1) < epsilon) return f.reflection_max;
+  return static_cast<float>(share) * f.reflection_max +
+         static_cast<float>(1 - share) * f.reflection_min;
+}
+
+// Unpolarised reflectance of a dielectric; 1 beyond the critical angle.
+double fresnel(double cosi, double n) {
+  const double g2 = n * n + cosi * cosi - 1;
+  if (g2 <= 0) return 1;
+  const double g = std::sqrt(g2);
+  const double a = (g - cosi) / (g + cosi);
+  const double b = (cosi * (g + cosi) - 1) / (cosi * (g - cosi) + 1);
+  return std::clamp(0.5 * a * a * (1 + b * b), 0.0, 1.0);
+}
+
+}  // namespace
+
+Finish compile_finish(const scene::Finish& in, vec3 ambient_light, vec3 irid_wavelength) {
+  Finish f;
+  f.glow_pigment = in.ambient * ambient_light + in.emission;
+  f.reflection_min = in.reflection_min;
+  f.reflection_max = in.reflection_max;
+  f.diffuse = in.diffuse;
+  f.diffuse_back = in.diffuse_back;
+  f.brilliance = in.brilliance;
+  f.phong = in.phong;
+  f.phong_size = in.phong_size;
+  f.specular = in.specular;
+  f.specular_exponent = in.roughness == 0 ? 0 : 1 / in.roughness;
+  f.metallic = in.metallic;
+  f.crand = in.crand;
+  f.reflection_falloff = in.reflection_falloff;
+  f.reflection_power = 1 / in.reflection_exponent;
+  f.reflection_metallic = in.reflection_metallic;
+  f.irid = in.irid;
+  f.irid_thickness = in.irid_thickness;
+  f.irid_wavelength = irid_wavelength;
+  f.fresnel = in.fresnel;
+  f.conserve_energy = in.conserve_energy;
+  f.highlights = in.phong != 0 || in.specular != 0;
+  f.lit = f.highlights || in.diffuse != 0 || in.diffuse_back != 0;
+  f.reflects = in.reflection_min != vec3(0.0F) || in.reflection_max != vec3(0.0F);
+  return f;
+}
+
+Reflectivity reflectivity(const Finish& f, double cosi, double relative_ior, vec3 pigment) {
+  Reflectivity r;
+  if (f.fresnel) {
+    r.rho = blend(f, fresnel(cosi, relative_ior));
+    r.weight = greatest(r.rho);
+  } else {
+    const double away = 1 - cosi;
+    r.rho = blend(f, f.reflection_falloff == 1 ? away : std::pow(away, f.reflection_falloff));
+    r.weight = std::max(greatest(f.reflection_max), greatest(f.reflection_min));
+  }
+  if (f.reflection_metallic != 0) {
+    r.rho *= metal_tint(f.reflection_metallic, cosi, pigment);
+  }
+  return r;
+}
+
+vec3 highlight(const Finish& f, dvec3 d, dvec3 n, dvec3 l, vec3 pigment) {
+  double sum = 0;
+  if (f.phong > 0) {
+    const dvec3 mirrored = d - 2 * glm::dot(d, n) * n;
+    const double s = glm::dot(mirrored, l);
+    if (s > 0 && (f.phong_size < 60 || s > 0.0008)) sum += f.phong * std::pow(s, f.phong_size);
+  }
+  if (f.specular > 0) {
+    const dvec3 half = (l - d) / 2.0;
+    const double length = glm::length(half);
+    const double s = length > 0 ? glm::dot(half, n) / length : 0;
+    if (s > 0) sum += f.specular * std::pow(s, f.specular_exponent);
+  }
+  if (sum == 0) return vec3(0.0F);
+  const vec3 white(static_cast<float>(sum));
+  return f.metallic > 0 ? white * metal_tint(f.metallic, glm::dot(n, l), pigment) : white;
+}
+
+vec3 iridescence(const Finish& f, double cos_light, double cos_view) {
+  const double path =
+      2 * std::numbers::pi * f.irid_thickness * (std::abs(cos_light) + std::abs(cos_view));
+  vec3 c;
+  for (int i = 0; i < 3; ++i) {
+    c[i] = 1 + f.irid * static_cast<float>(std::cos(path / f.irid_wavelength[i]));
+  }
+  return c;
+}
+
+}  // namespace durer::tracer

@@ -1,0 +1,57 @@
+// The surface model: what a layer adds to light, as formulas (shading §4).
+#pragma once
+
+#include "base/vec.h"
+#include "scene/texture.h"
+
+namespace durer::tracer {
+
+/// A finish with everything worked out that does not depend on the point.
+struct Finish {
+  vec3 glow_pigment{0.0F};  // ambient·ambient_light + emission, times pigment and opacity
+  vec3 reflection_min{0.0F};
+  vec3 reflection_max{0.0F};
+  float diffuse = 0;
+  float diffuse_back = 0;
+  float brilliance = 1;
+  float phong = 0;
+  float phong_size = 40;
+  float specular = 0;
+  float specular_exponent = 20;
+  float metallic = 0;
+  float crand = 0;
+  float reflection_falloff = 1;
+  float reflection_power = 1;  // reflected light is raised to this
+  float reflection_metallic = 0;
+  float irid = 0;
+  float irid_thickness = 0;
+  vec3 irid_wavelength{1.0F};
+  bool fresnel = false;
+  bool conserve_energy = false;
+  bool lit = true;         // some term needs lights
+  bool highlights = false;  // phong or specular
+  bool reflects = false;
+};
+
+[[nodiscard]] Finish compile_finish(const scene::Finish& finish, vec3 ambient_light,
+                                    vec3 irid_wavelength);
+
+/// How much a surface reflects, per component, and how much that counts for the trace limits.
+struct Reflectivity {
+  vec3 rho{0.0F};
+  float weight = 0;
+};
+
+/// `cosi`: cosine between the normal and the way back along the ray. `relative_ior`: n behind over
+/// n before the surface, used by fresnel finishes only (shading §4.8).
+[[nodiscard]] Reflectivity reflectivity(const Finish& finish, double cosi, double relative_ior,
+                                        vec3 pigment);
+
+/// Phong and specular light of one lamp, without the lamp's colour; per component because metals
+/// tint it. `d`: view direction, `l`: to the light, both of unit length (shading §4.5).
+[[nodiscard]] vec3 highlight(const Finish& finish, dvec3 d, dvec3 n, dvec3 l, vec3 pigment);
+
+/// Thin-film interference for the two angles' cosines (shading §4.6).
+[[nodiscard]] vec3 iridescence(const Finish& finish, double cos_light, double cos_view);
+
+}  // namespace durer::tracer

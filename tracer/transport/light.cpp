@@ -1,0 +1,104 @@
+// Light that lamps throw onto a layer, and what stands in its way (shading §4.4-4.7, §6.4-6.5).
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "tracer/transport/trace.h"
+
+namespace durer::tracer {
+
+float next_noise(std::uint32_t& state) {
+  state = state * 1812433253U + 12345U;
+  return static_cast<float>(state / 4294967295.0);
+}
+
+vec3 Tracer::illuminate(const View& view, const Path& path, const LayerPoint& layer,
+                        bool first_layer) {
+  vec3 sum(0.0F);
+  for (std::size_t i = 0; i < scene_->lights.size(); ++i) {
+    const Light& light = scene_->lights[i];
+    LampAtPoint& lamp = scratch_->lamps[i];
+    if (first_layer) lamp = {incidence(light, view.p), vec3(0.0F), false};
+    if (dark(lamp.in.colour)) continue;
+    const bool behind = glm::dot(layer.n, lamp.in.l) < epsilon && !view.double_illuminate;
+    if (behind && layer.finish->diffuse_back == 0) continue;
+    if (!lamp.shadow_known) {
+      lamp.shadowed = shadowed(light, lamp.in, view.p, path.inside);
+      lamp.shadow_known = true;
+    }
+    if (!dark(lamp.shadowed)) sum += shade(view, layer, light, lamp, behind);
+  }
+  return sum;
+}
+
+vec3 Tracer::shade(const View& view, const LayerPoint& layer, const Light& light,
+                   const LampAtPoint& lamp, bool backside) {
+  const Finish& f = *layer.finish;
+  const dvec3 l = lamp.in.l;
+  const double cosine = glm::dot(layer.n, l);
+  vec3 sum(0.0F);
+  const float k = backside ? f.diffuse_back : f.diffuse;
+  if (k > 0) {
+    const double c = std::abs(cosine);
+    const double bright = f.brilliance == 1 ? c : std::pow(c, f.brilliance);
+    float intensity = static_cast<float>(bright) * k * layer.opacity;
+    if (f.crand > 0) intensity -= next_noise(scratch_->noise) * f.crand;
+    sum = intensity * layer.pigment * lamp.shadowed;
+  }
+  if (f.highlights && !backside && !light.shadowless) {
+    sum += highlight(f, view.d, layer.n, l, layer.pigment) * lamp.shadowed;
+  }
+  if (f.irid > 0) sum *= iridescence(f, cosine, glm::dot(layer.n, view.d));
+  return sum;
+}
+
+vec3 Tracer::shadowed(const Light& light, const Incidence& in, dvec3 p,
+                      const Containment& inside) {
+  if (light.shadowless || in.distance <= 2 * t_shadow) return in.colour;
+  ++scratch_->rays;
+  const Ray ray{p, in.l};
+  if (scene_->geometry.occluded(ray, t_shadow, in.distance - t_shadow, *scratch_->geometry)) {
+    return vec3(0.0F);
+  }
+  return translucent_shadows_ ? walk_shadow(in, p, inside) : in.colour;
+}
+
+// From one translucent surface to the next; surfaces nearer than t_shadow behind each other count
+// as one.
+vec3 Tracer::walk_shadow(const Incidence& in, dvec3 p, Containment inside) {
+  vec3 light = in.colour;
+  Ray ray{p, in.l};
+  double left = in.distance;
+  Hit hit;
+  while (left > 2 * t_shadow &&
+         scene_->geometry.closest(ray, t_shadow, left - t_shadow, RayKind::shadow, hit,
+                                  *scratch_->geometry)) {
+    ++scratch_->rays;
+    light *= shadow_factor(hit, in.l, inside);
+    if (dark(light)) return vec3(0.0F);
+    inside.toggle(scene_->geometry.leaves()[hit.leaf].interior);
+    ray.o = hit.p;
+    left -= hit.t;
+  }
+  return light;
+}
+
+// What a surface leaves of light that shines straight through it.
+vec3 Tracer::shadow_factor(const Hit& hit, dvec3 l, const Containment& inside) const {
+  const View view = look(hit, l);
+  if (view.texture->opaque) return vec3(0.0F);
+  const TextureStore& textures = scene_->textures;
+  const Interior& body = scene_->interiors[view.interior];
+  vec3 k(1.0F);
+  for (std::uint32_t i = view.texture->first_layer; i < view.texture->end_layer; ++i) {
+    k *= textures.pigments().at(textures.layer(i).pigment, hit.p).transmission();
+    if (body.caustics != 0) {
+      k *= static_cast<float>(1 + std::pow(std::abs(glm::dot(view.g, l)), body.caustics));
+    }
+  }
+  if (body.fade_power > 0 && fades(body) && inside.contains(view.interior)) {
+    k *= fade(body, hit.t);
+  }
+  return k;
+}
+
+}  // namespace durer::tracer

@@ -1,0 +1,194 @@
+// One surface: its layers, its reflections, and how light goes on behind it (shading §4, §5.2, §8).
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+
+#include "tracer/shading/spectrum.h"
+#include "tracer/transport/trace.h"
+
+namespace durer::tracer {
+namespace {
+
+float greatest_size(vec3 c) {
+  return std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)});
+}
+
+bool is_one(double x) { return std::abs(x - 1) < epsilon; }
+
+bool nearly_equal(dvec3 a, dvec3 b) {
+  const dvec3 e = glm::abs(a - b);
+  return e.x < epsilon && e.y < epsilon && e.z < epsilon;
+}
+
+// Snell's law for unit `d`; false beyond the critical angle.
+bool refract(dvec3 d, dvec3 normal, double eta, dvec3& out) {
+  double n = glm::dot(d, normal);
+  if (n <= 0) {
+    n = -n;
+  } else {
+    normal = -normal;
+  }
+  const double k = 1 + eta * eta * (n * n - 1);
+  if (k < 0) return false;
+  out = eta * d + (eta * n - std::sqrt(k)) * normal;
+  return true;
+}
+
+}  // namespace
+
+dvec3 mirror(dvec3 d, dvec3 n, dvec3 g) {
+  dvec3 r = d - 2 * glm::dot(d, n) * n;
+  if (glm::dot(r, g) < 0) {
+    r = glm::dot(r, n) < 0 ? d - 2 * glm::dot(d, g) * g : r - 2 * glm::dot(r, g) * g;
+  }
+  return glm::normalize(r);
+}
+
+Tracer::Step Tracer::surface(const View& view, Path& path) {
+  const std::size_t first = scratch_->reflections.size();
+  const LayerSum layers = sum_layers(view, path);
+  Step step;
+  step.colour = layers.colour;
+  // Reflections need the path as it arrived; transmission turns it into the one behind.
+  const bool see_through = layers.sigma > adc_;
+  if (scratch_->reflections.size() == first) {
+    if (see_through) transmit(view, layers, path, step);
+    return step;
+  }
+  const Path arrived = path;
+  if (see_through) transmit(view, layers, path, step);
+  step.colour += reflect(view, arrived, first, step.tir);
+  scratch_->reflections.resize(first);
+  return step;
+}
+
+float Tracer::opacity(const Colour& c) const {
+  if (!legacy_opacity_) return c.opacity();
+  return 1 - (c.filter * std::max({c.rgb.x, c.rgb.y, c.rgb.z}) + c.transmit);
+}
+
+Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
+  const TextureStore& textures = scene_->textures;
+  LayerSum sum;
+  const std::uint32_t first = view.texture->first_layer;
+  for (std::uint32_t i = first; i < view.texture->end_layer && sum.sigma > adc_; ++i) {
+    const LayerProgram& program = textures.layer(i);
+    const Colour c = textures.pigments().at(program.pigment, view.p);
+    const LayerPoint layer{&textures.finish(program), view.g, c.rgb, opacity(c)};
+    const Finish& f = *layer.finish;
+    vec3 rho(0.0F);
+    if (f.reflects) rho = remember_reflection(view, path, layer, sum.sigma);
+    vec3 light = c.rgb * f.glow_pigment * layer.opacity;
+    if (f.lit) light += illuminate(view, path, layer, i == first);
+    sum.colour += light * sum.through;
+    sum.through *= c.transmission();
+    if (f.conserve_energy) sum.through *= glm::min(vec3(1.0F), 1.0F - rho);
+    sum.sigma = std::min(1.0F, std::abs(grey(sum.through)));
+  }
+  return sum;
+}
+
+vec3 Tracer::remember_reflection(const View& view, const Path& path, const LayerPoint& layer,
+                                 float sigma) {
+  const Finish& f = *layer.finish;
+  const double cosi = -glm::dot(view.d, layer.n);
+  const double n = f.fresnel ? fresnel_index(scene_->interiors, view.interior, path.inside) : 1;
+  const Reflectivity r = reflectivity(f, cosi, n, layer.pigment);
+  if (r.rho != vec3(0.0F)) {
+    scratch_->reflections.push_back({&f, layer.n, r.rho, path.weight * sigma * r.weight});
+  }
+  return r.rho;
+}
+
+vec3 Tracer::attenuation(const View& view, const Path& path) const {
+  const Interior& body = scene_->interiors[view.interior];
+  vec3 a(body.refraction);
+  if (fades(body) && path.inside.contains(view.interior)) a *= fade(body, view.depth);
+  return a;
+}
+
+// The ray that a surface sends back by total internal reflection.
+Path Tracer::inward(const View& view, const Path& path, float weight) const {
+  Path back = path;
+  back.ray = {view.p, mirror(view.d, view.g, view.g)};
+  back.weight = weight;
+  back.reflected = true;
+  return back;
+}
+
+void Tracer::transmit(const View& view, const LayerSum& layers, Path& path, Step& step) {
+  const vec3 a = attenuation(view, path);
+  Path next;
+  next.inside = path.inside;
+  IndexRatio ratio = pass(scene_->interiors, view.interior, next.inside);
+  next.ray = {view.p, view.d};
+  next.weight = path.weight * greatest_size(layers.through);
+  next.level = path.level;
+  next.reflected = path.reflected;
+  next.wavelength = path.wavelength;
+  step.through = a * layers.through;
+  step.transmittance = grey(a) * layers.sigma;
+
+  const bool disperses = !is_one(ratio.dispersion);
+  step.straight = is_one(ratio.ior) && !disperses;
+  if (disperses && path.wavelength == 0) {
+    const Radiance r = disperse(view, path, next, ratio);
+    step.colour += step.through * r.colour;
+    step.transmittance *= r.transmittance;
+    return;
+  }
+  if (disperses) ratio.ior *= index_factor(ratio.dispersion, path.wavelength);
+  if (!step.straight && !refract(view.d, view.g, ratio.ior, next.ray.d)) {
+    next = inward(view, path, next.weight);
+    step.through = a;
+    step.transmittance = 0;
+    step.tir = true;
+  }
+  step.continues = true;
+  path = next;
+}
+
+// White light splits into bands; each goes on as light of one wavelength.
+Radiance Tracer::disperse(const View& view, const Path& path, const Path& next, IndexRatio ratio) {
+  const auto samples_of = [&](std::uint32_t id) { return scene_->interiors[id].dispersion_samples; };
+  int samples = samples_of(view.interior);
+  if (!next.inside.empty()) samples = std::max(samples, samples_of(next.inside.innermost()));
+  Radiance sum;
+  for (int i = 0; i < samples; ++i) {
+    const Band band = spectral_band(i, samples);
+    const double eta = ratio.ior * index_factor(ratio.dispersion, band.wavelength);
+    Path ray = next;
+    if (!refract(view.d, view.g, eta, ray.ray.d)) ray = inward(view, path, next.weight);
+    ray.wavelength = band.wavelength;
+    const Radiance r = trace(ray);
+    sum.colour += band.hue * r.colour;
+    sum.transmittance += r.transmittance;
+  }
+  const auto n = static_cast<float>(samples);
+  return {sum.colour / n, sum.transmittance / n};
+}
+
+vec3 Tracer::reflect(const View& view, const Path& arrived, std::size_t first, bool tir) {
+  vec3 sum(0.0F);
+  const std::size_t end = scratch_->reflections.size();
+  for (std::size_t i = first; i < end; ++i) {
+    const Reflection r = scratch_->reflections[i];  // a copy: tracing moves the stack
+    if (tir && nearly_equal(r.n, view.g)) continue;
+    Path path = arrived;
+    path.ray = {view.p, mirror(view.d, r.n, view.g)};
+    path.weight = r.weight;
+    path.reflected = true;
+    vec3 light = trace(path).colour;
+    const Finish& f = *r.finish;
+    if (f.irid > 0) {
+      light *= iridescence(f, glm::dot(r.n, path.ray.d), glm::dot(r.n, view.d));
+    }
+    if (f.reflection_power != 1) light = glm::pow(light, vec3(f.reflection_power));
+    sum += r.rho * light;
+  }
+  return sum;
+}
+
+}  // namespace durer::tracer

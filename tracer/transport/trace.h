@@ -1,0 +1,134 @@
+// Light transport: from a ray to the light that comes back along it (shading §8).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tracer/compiled_scene.h"
+
+namespace durer::tracer {
+
+/// A ray with its history.
+struct Path {
+  Ray ray;
+  float weight = 1;       // share of the pixel it can still change
+  int level = 0;          // bends so far
+  bool reflected = false;
+  double wavelength = 0;  // nm; 0: white light
+  Containment inside;     // bodies that the ray is inside of
+};
+
+/// Premultiplied colour, and the share of what lies behind that shines through.
+struct Radiance {
+  vec3 colour{0.0F};
+  float transmittance = 0;
+};
+
+/// One reflection that waits until the layers of its surface are summed.
+struct Reflection {
+  const Finish* finish = nullptr;
+  dvec3 n{0.0};
+  vec3 rho{0.0F};
+  float weight = 0;
+};
+
+/// One lamp at the point being lit; all layers share it.
+struct LampAtPoint {
+  Incidence in;
+  vec3 shadowed{0.0F};
+  bool shadow_known = false;
+};
+
+/// What one thread may change. Buffers grow once; tracing allocates nothing after that.
+struct Scratch {
+  explicit Scratch(const CompiledScene& scene);
+
+  GeometryScratchPtr geometry;
+  std::uint64_t rays = 0;
+  std::uint32_t noise = 0;              // state of `crand`, set anew for every sample
+  std::vector<LampAtPoint> lamps;       // parallel to the scene's lights
+  std::vector<Reflection> reflections;  // a stack
+  std::vector<std::uint32_t> containing;
+};
+
+/// Traces rays of one thread.
+class Tracer {
+ public:
+  /// `alpha`: see RenderOptions.
+  Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha);
+
+  [[nodiscard]] Radiance trace(Path path);
+
+ private:
+  // A surface that is being looked at.
+  struct View {
+    dvec3 p{0.0};
+    dvec3 d{0.0};
+    dvec3 g{0.0};  // unit geometric normal, towards the viewer
+    const TextureProgram* texture = nullptr;
+    std::uint32_t interior = 0;
+    bool double_illuminate = false;
+    double depth = 0;  // from the ray's origin
+  };
+  // What the layers of a surface send out, and let through.
+  struct LayerSum {
+    vec3 colour{0.0F};
+    vec3 through{1.0F};
+    float sigma = 1;  // scalar transparency
+  };
+  // One layer at a point.
+  struct LayerPoint {
+    const Finish* finish = nullptr;
+    dvec3 n{0.0};
+    vec3 pigment{0.0F};
+    float opacity = 1;
+  };
+  // Light from one surface; when `continues`, the path has been turned into the transmitted ray.
+  struct Step {
+    vec3 colour{0.0F};
+    vec3 through{0.0F};
+    float transmittance = 0;
+    bool continues = false;
+    bool straight = false;
+    bool tir = false;  // totally reflected inside
+  };
+
+  [[nodiscard]] View look(const Hit& hit, dvec3 d) const;
+  [[nodiscard]] Step surface(const View& view, Path& path);
+  [[nodiscard]] LayerSum sum_layers(const View& view, const Path& path);
+  [[nodiscard]] float opacity(const Colour& c) const;
+  vec3 remember_reflection(const View& view, const Path& path, const LayerPoint& layer,
+                           float sigma);
+  void transmit(const View& view, const LayerSum& layers, Path& path, Step& step);
+  [[nodiscard]] Path inward(const View& view, const Path& path, float weight) const;
+  [[nodiscard]] Radiance disperse(const View& view, const Path& path, const Path& next,
+                                  IndexRatio ratio);
+  [[nodiscard]] vec3 reflect(const View& view, const Path& path, std::size_t first, bool tir);
+  [[nodiscard]] vec3 attenuation(const View& view, const Path& path) const;
+
+  [[nodiscard]] vec3 illuminate(const View& view, const Path& path, const LayerPoint& layer,
+                                bool first_layer);
+  [[nodiscard]] vec3 shade(const View& view, const LayerPoint& layer, const Light& light,
+                           const LampAtPoint& lamp, bool backside);
+  [[nodiscard]] vec3 shadowed(const Light& light, const Incidence& in, dvec3 p,
+                              const Containment& inside);
+  [[nodiscard]] vec3 walk_shadow(const Incidence& in, dvec3 p, Containment inside);
+  [[nodiscard]] vec3 shadow_factor(const Hit& hit, dvec3 l, const Containment& inside) const;
+
+  const CompiledScene* scene_;
+  Scratch* scratch_;
+  int max_level_;
+  float adc_;
+  bool alpha_;
+  bool legacy_opacity_;
+  bool translucent_shadows_;
+};
+
+/// The mirror image of `d` about `n`, kept on the side of `g` (shading §4.8).
+[[nodiscard]] dvec3 mirror(dvec3 d, dvec3 n, dvec3 g);
+
+/// One step of the random numbers of `crand`, 0…1 (shading §9).
+[[nodiscard]] float next_noise(std::uint32_t& state);
+
+}  // namespace durer::tracer

@@ -1,0 +1,65 @@
+#include "tracer/unsupported.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace durer::tracer {
+namespace {
+
+// Marks `id` and tells whether it was new.
+bool mark(std::vector<bool>& seen, std::uint32_t id) {
+  if (seen.size() <= id) seen.resize(id + 1);
+  const bool is_new = !seen[id];
+  seen[id] = true;
+  return is_new;
+}
+
+}  // namespace
+
+void UnsupportedReport::check_texture(scene::TextureId id) {
+  if (!mark(textures_seen_, id)) return;
+  const scene::Texture& texture = scene_->textures[id];
+  report(texture.unsupported, texture.origin);
+  for (const scene::Layer& layer : texture.layers) {
+    const scene::OriginId place =
+        layer.pigment.origin != 0 ? layer.pigment.origin : texture.origin;
+    report(layer.unsupported, place);
+    check_pigment(layer.pigment);
+    check_finish(layer.finish, place);
+  }
+}
+
+void UnsupportedReport::check_interior(scene::InteriorId id) {
+  if (!mark(interiors_seen_, id)) return;
+  report(scene_->interiors[id].unsupported, scene_->interiors[id].origin);
+}
+
+void UnsupportedReport::check_pigment(const scene::Pigment& pigment) {
+  report(pigment.unsupported, pigment.origin);
+  for (const scene::Pigment& child : pigment.children) check_pigment(child);
+}
+
+void UnsupportedReport::check_finish(const scene::Finish& finish, scene::OriginId origin) {
+  report(finish.unsupported, origin);
+  if (finish.irid > 0 && finish.irid_turbulence != 0) report("turbulence in irid", origin);
+}
+
+void UnsupportedReport::report(std::string_view feature, scene::OriginId origin) {
+  if (feature.empty()) return;
+  const std::pair key{std::string(feature), origin};
+  if (std::find(reported_.begin(), reported_.end(), key) != reported_.end()) return;
+  reported_.push_back(key);
+
+  Diagnostic d;
+  d.code = Code::not_supported;
+  d.span = scene_->origins[origin].span;
+  d.message = fmt::format("{} is not supported yet", feature);
+  d.at = "used by an object of the scene";
+  for (scene::OriginId i = scene_->origins[origin].parent; i != 0; i = scene_->origins[i].parent) {
+    d.trace.push_back({scene_->origins[i].span, "expanded from here"});
+  }
+  diagnostics_->report(std::move(d));
+}
+
+}  // namespace durer::tracer

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "base/diagnostic.h"
+#include "scene/scene.h"
+
+namespace durer::tracer {
+
+/// Reports features that cannot be rendered, each place and feature once, with the chain of macro
+/// calls and includes that led there.
+class UnsupportedReport {
+ public:
+  UnsupportedReport(const scene::Scene& scene, Diagnostics& diagnostics)
+      : scene_(&scene), diagnostics_(&diagnostics) {}
+
+  /// Everything reachable from a texture or interior that is in use.
+  void check_texture(scene::TextureId texture);
+  void check_interior(scene::InteriorId interior);
+
+  void check_pigment(const scene::Pigment& pigment);
+
+ private:
+  void check_finish(const scene::Finish& finish, scene::OriginId origin);
+  void report(std::string_view feature, scene::OriginId origin);
+
+  const scene::Scene* scene_;
+  Diagnostics* diagnostics_;
+  std::vector<bool> textures_seen_;
+  std::vector<bool> interiors_seen_;
+  std::vector<std::pair<std::string, scene::OriginId>> reported_;
+};
+
+}  // namespace durer::tracer
