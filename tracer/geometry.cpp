@@ -1,7 +1,6 @@
 #include "tracer/geometry.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -72,7 +71,7 @@ bool Geometry::closest(const Ray& ray, double t_from, double t_to, RayKind kind,
 
 bool Geometry::occluded(const Ray& ray, double t_from, double t_to,
                         GeometryScratch& scratch) const {
-  const double after = std::nextafter(t_from, std::numeric_limits<double>::infinity());
+  const double after = t_from * (1 + std::numeric_limits<double>::epsilon());
   RayQuery query{ray, after, t_to, blocks_light, {}, &state_->parts, &scratch.sweep};
   return state_->accel->any(query);
 }
