@@ -14,6 +14,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/diagnostic.h"
 #include "base/source.h"
 #include "grammar/vocabulary.h"
 
@@ -24,6 +25,11 @@ using ExprId = std::uint32_t;
 using GroupId = std::uint32_t;
 using DirectiveId = std::uint32_t;
 inline constexpr std::uint32_t none = 0xFFFFFFFF;
+
+/// How deep expressions may be stacked, and how deep groups, bodies and parentheses may be nested.
+/// Generated sums of some thousand terms occur; deeper trees would endanger recursive readers.
+inline constexpr std::uint16_t max_height = 5000;
+inline constexpr std::uint32_t max_nesting = 1000;
 
 /// A run of consecutive entries in one of the tree's arrays.
 struct Range {
@@ -49,6 +55,7 @@ struct Paren { ExprId inner = none; };
 /// `<a, b, c>`: components in Tree::expr_lists.
 struct Vector { Range components; };
 struct Unary { Op op = Op::neg; ExprId operand = none; };
+/// Inside a function body `&` has been bound tighter than `|` (language §6.2).
 struct Binary { Op op = Op::add; ExprId left = none; ExprId right = none; };
 struct Conditional { ExprId condition = none; ExprId yes = none; ExprId no = none; };
 /// `name(a, b)` or `name[i](a, b)` with plain expressions as arguments (in Tree::expr_lists).
@@ -58,6 +65,7 @@ struct Call { ExprId callee = none; Range args; };
 struct Index { SymbolId name = 0; Range subscripts; };
 struct Member { ExprId object = none; SymbolId member = 0; };
 /// A delimited part whose content is no plain expression list: read item by item (Tree::items).
+/// An index holds one `brackets` item per subscript; the others hold what stands inside.
 struct OpenGroup {
   enum class Kind : std::uint8_t { paren, vector, call, index };
   Kind kind = Kind::paren;
@@ -71,6 +79,9 @@ struct Expr {
   /// True if a user name stands before a parenthesis somewhere below, or an OpenGroup: only then
   /// can a macro be expanded inside, and the expression must be read operand by operand.
   bool may_expand = false;
+  /// How many expressions lie on the longest way down, this one included; at most max_height, so
+  /// that readers may recurse.
+  std::uint16_t height = 1;
   std::variant<Number, String, Name, Paren, Vector, Unary, Binary, Conditional, Call, Index, Member,
                OpenGroup>
       node;
@@ -157,7 +168,8 @@ struct Simple {
   enum class Kind : std::uint8_t { default_, fopen, fclose, read, write };
   Kind kind = Kind::default_;
 };
-/// A word after `#` that is no directive: an error only when executed (language §4.1).
+/// A word after `#` that is no directive, or a directive inside a body that is malformed as a
+/// whole (then there is a Flaw): an error only when executed (language §4.1).
 struct Unknown { SymbolId word = 0; };
 
 struct Directive {
@@ -165,6 +177,13 @@ struct Directive {
   std::variant<Declare, Undef, If, While, For, Switch, Macro, Break, Include, Version, Message,
                Simple, Unknown>
       node;
+};
+
+/// Text in a directive body that the grammar could not read. It became the mark, word or Unknown
+/// directive that begins at `place`; whoever executes that should report `why`.
+struct Flaw {
+  Loc place = 0;
+  Diagnostic why;
 };
 
 // ---- the tree ---------------------------------------------------------------------------------
@@ -182,6 +201,7 @@ struct Tree {
   std::vector<Case> cases;
   std::vector<Param> params;
   std::vector<std::string> strings;
+  std::vector<Flaw> flaws;  // sorted by place
   /// The file began with bytes above 127 (a byte-order mark): strings are UTF-8 (language §1.1).
   bool utf8 = false;
 };

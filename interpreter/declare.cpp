@@ -81,7 +81,7 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
     }
     // `#local A[i]` on an array of an outer scope is evaluated and lost (language §4.3).
     if (node.local && slot->scope != env_.scope() && first_defined(**array) != nullptr) return;
-    Value* target = element(tree, node.name, node.subscripts, node.target, true, false);
+    Value* target = element(node.name, read_subscripts(tree, node.subscripts), node.target, true, false);
     store(*target, std::move(value), true, array->get(), node.target);
     return;
   }
@@ -104,7 +104,7 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
 
 void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Undef& node) {
   if (node.subscripts.count > 0) {
-    *element(tree, node.name, node.subscripts, d.span, true, false) = Value{};
+    *element(node.name, read_subscripts(tree, node.subscripts), d.span, true, false) = Value{};
     return;
   }
   if (symbols_.reserved(node.name)) {
@@ -134,33 +134,66 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
 
 // ---- arrays -----------------------------------------------------------------------------------
 
-/// Reads the subscripts of one array of `list`, from number `used` on.
-std::vector<std::size_t> Interpreter::subscripts(const ast::Tree& tree, ast::Range list,
-                                                 const Array& array, Span span, std::size_t& used) {
+std::optional<SymbolId> Interpreter::array_of(const ast::Expr& e) {
+  if (const auto* index = std::get_if<ast::Index>(&e.node)) return index->name;
+  if (const auto* g = std::get_if<ast::OpenGroup>(&e.node); g != nullptr && g->kind == ast::OpenGroup::Kind::index) {
+    return g->name;
+  }
+  return std::nullopt;
+}
+
+std::vector<Interpreter::Subscript> Interpreter::read_subscripts(const ast::Tree& tree, ast::Range list) {
+  std::vector<Subscript> out;
+  out.reserve(list.count);
+  for (std::uint32_t i = 0; i < list.count; ++i) {
+    const ast::ExprId id = tree.expr_lists[list.first + i];
+    out.push_back({evaluate(tree, id, 1).v[0], tree.exprs[id].span});
+  }
+  return out;
+}
+
+std::vector<Interpreter::Subscript> Interpreter::read_subscripts(const ast::Tree& tree, ast::ExprId id) {
+  const ast::Expr& e = tree.exprs[id];
+  if (const auto* index = std::get_if<ast::Index>(&e.node)) return read_subscripts(tree, index->subscripts);
+  // Made by directives: one bracketed part per subscript.
+  std::vector<Subscript> out;
+  const Nested part(*this, tree, std::get<ast::OpenGroup>(e.node).items);
+  while (peek().kind == Token::Kind::bracket_open) {
+    const Span span = next().span;
+    out.push_back({read_scalar("subscript"), span});
+    const Token close = next();
+    if (close.kind != Token::Kind::bracket_close) unexpected(close, "`]`");
+  }
+  return out;
+}
+
+/// Where the subscripts from number `used` on lead in `array`, row-major.
+std::size_t Interpreter::flat_index(const std::vector<Subscript>& list, const Array& array, Span span,
+                                    std::size_t& used) {
   std::size_t flat = 0;
   for (const std::size_t size : array.sizes) {
-    if (used >= list.count) {
+    if (used >= list.size()) {
       fail(Code::missing_argument, span,
            fmt::format("this array has {} dimensions, here are {} subscripts", array.sizes.size(),
-                       list.count));
+                       list.size()));
     }
-    const ast::ExprId id = tree.expr_lists[list.first + used++];
-    const double v = std::trunc(evaluate(tree, id, 1).v[0] + epsilon);
+    const Subscript& s = list[used++];
+    const double v = std::trunc(s.value + epsilon);
     if (!(v >= 0 && v < static_cast<double>(size))) {
-      fail(Code::out_of_range, tree.exprs[id].span,
+      fail(Code::out_of_range, s.span,
            fmt::format("subscript {:g} is outside the array, which has {} elements here", v, size),
            fmt::format("subscripts go from 0 to {}", size - 1));
     }
     flat = flat * size + static_cast<std::size_t>(v);
   }
-  return {flat};
+  return flat;
 }
 
-Value* Interpreter::element(const ast::Tree& tree, SymbolId name, ast::Range list, Span span,
+Value* Interpreter::element(SymbolId name, const std::vector<Subscript>& list, Span span,
                             bool for_writing, bool must_exist) {
   Value* v = Environment::value_of(env_.find(name));
   if (v == nullptr) unknown_name(name, span);
-  for (std::size_t used = 0; used < list.count;) {
+  for (std::size_t used = 0; used < list.size();) {
     auto* array = v->get<std::shared_ptr<Array>>();
     if (array == nullptr) {
       fail(Code::wrong_kind, span,
@@ -168,8 +201,7 @@ Value* Interpreter::element(const ast::Tree& tree, SymbolId name, ast::Range lis
     }
     // Copies share until one of them is written.
     if (for_writing && array->use_count() > 1) *array = std::make_shared<Array>(**array);
-    const std::size_t flat = subscripts(tree, list, **array, span, used)[0];
-    v = &(*array)->elements[flat];
+    v = &(*array)->elements[flat_index(list, **array, span, used)];
   }
   if (must_exist && !v->defined()) {
     fail(Code::evaluation, span, "this array element has no value yet");
@@ -262,14 +294,14 @@ void Interpreter::call_macro(const ast::Tree& tree, ast::ExprId id, bool flatten
       a.target = env_.find(name->name);
       const Value* v = Environment::value_of(a.target);
       if (v == nullptr || !v->defined()) unknown_name(name->name, a.span);
-    } else if (const auto* index = std::get_if<ast::Index>(&t.exprs[arg].node)) {
-      Value* v = Environment::value_of(env_.find(index->name));
-      if (v == nullptr) unknown_name(index->name, a.span);
-      element(t, index->name, index->subscripts, a.span, false);  // must exist
-      a.target = env_.find(index->name);
-      for (std::size_t used = 0; used < index->subscripts.count;) {
+    } else if (const auto array_name = array_of(t.exprs[arg])) {
+      const auto list = read_subscripts(t, arg);
+      element(*array_name, list, a.span, false);  // must exist
+      a.target = env_.find(*array_name);
+      Value* v = Environment::value_of(a.target);
+      for (std::size_t used = 0; used < list.size();) {
         Array& array = **v->get<std::shared_ptr<Array>>();
-        a.path.push_back(subscripts(t, index->subscripts, array, a.span, used)[0]);
+        a.path.push_back(flat_index(list, array, a.span, used));
         v = &array.elements[a.path.back()];
       }
     } else {
@@ -286,9 +318,9 @@ void Interpreter::call_macro(const ast::Tree& tree, ast::ExprId id, bool flatten
     const Nested part(*this, tree, open->items);
     while (peek().kind != Token::Kind::end) {
       const Token t = peek();
-      const bool bare = t.node<ast::Name>() != nullptr || t.node<ast::Index>() != nullptr;
-      if (bare && !symbols_.reserved(t.node<ast::Name>() != nullptr ? t.node<ast::Name>()->name
-                                                                     : t.node<ast::Index>()->name)) {
+      const auto* name = t.node<ast::Name>();
+      if (name != nullptr ? !symbols_.reserved(name->name)
+                          : t.kind == Token::Kind::expr && array_of(t.expression()).has_value()) {
         next();
         if (!at_operator()) {
           add(*t.tree, t.expr);

@@ -164,8 +164,8 @@ Value* Interpreter::lookup(const ast::Tree& tree, ast::ExprId id, bool must_exis
     if (v == nullptr && must_exist) unknown_name(name->name, e.span);
     return v;
   }
-  if (const auto* index = std::get_if<ast::Index>(&e.node)) {
-    return element(tree, index->name, index->subscripts, e.span, false, must_exist);
+  if (const auto array = array_of(e)) {
+    return element(*array, read_subscripts(tree, id), e.span, false, must_exist);
   }
   return nullptr;
 }
@@ -219,7 +219,8 @@ Num Interpreter::evaluate(const ast::Tree& tree, ast::ExprId id, int length) {
     }
     Num operator()(const ast::Call& c) const { return in.evaluate_call(tree, e, c, length); }
     Num operator()(const ast::Index& i) const {
-      return in.value_as_num(*in.element(tree, i.name, i.subscripts, e.span, false), e.span, length);
+      return in.value_as_num(*in.element(i.name, in.read_subscripts(tree, i.subscripts), e.span, false),
+                             e.span, length);
     }
     Num operator()(const ast::Member& m) const {
       return in.member(in.evaluate(tree, m.object, 1), m.member, e.span, length);
@@ -286,13 +287,16 @@ Num Interpreter::evaluate_open(const ast::Tree& tree, const ast::Expr& e, const 
     const Value* v = lookup(tree, g.callee, true);
     call_value(*v, e.span);
   }
+  if (g.kind == Kind::index) {
+    const ast::ExprId id = static_cast<ast::ExprId>(&e - tree.exprs.data());
+    return value_as_num(*lookup(tree, id, true), e.span, length);
+  }
   Nested part(*this, tree, g.items);
   if (g.kind == Kind::paren) {
     const Num n = read_full(length);
     part.finish("`)`");
     return n.length == 1 ? Num::filled(n.v[0], length) : n;
   }
-  if (g.kind == Kind::index) not_supported("a subscript made by directives", e.span);
   Num n;
   n.length = 0;
   while (peek().kind != Token::Kind::end) {
@@ -338,7 +342,7 @@ Value Interpreter::evaluate_value(const ast::Tree& tree, ast::ExprId id) {
       if (!v->defined()) fail(Code::evaluation, e.span, fmt::format("`{}` has no value", name_of(name->name)));
       return copy_of(*v);
     }
-  } else if (std::holds_alternative<ast::Index>(e.node)) {
+  } else if (array_of(e)) {
     return copy_of(*lookup(tree, id, true));
   }
   if (is_text(tree, id)) return Value(std::make_shared<const Text>(evaluate_text(tree, id)));
@@ -354,7 +358,7 @@ bool Interpreter::is_text(const ast::Tree& tree, ast::ExprId id) {
   const ast::Expr& e = tree.exprs[id];
   if (std::holds_alternative<ast::String>(e.node)) return true;
   if (const auto* p = std::get_if<ast::Paren>(&e.node)) return is_text(tree, p->inner);
-  if (std::holds_alternative<ast::Name>(e.node) || std::holds_alternative<ast::Index>(e.node)) {
+  if (std::holds_alternative<ast::Name>(e.node) || array_of(e)) {
     const Value* v = lookup(tree, id, false);
     return v != nullptr && v->get<Shared<Text>>() != nullptr;
   }

@@ -51,9 +51,8 @@ bool Interpreter::is_defined(const ast::Tree& tree, ast::ExprId id) {
   if (const auto* name = std::get_if<ast::Name>(&e.node)) {
     return !symbols_.reserved(name->name) && env_.find(name->name) != nullptr;
   }
-  if (const auto* index = std::get_if<ast::Index>(&e.node)) {
-    const Value* v = element(tree, index->name, index->subscripts, e.span, false, false);
-    return v != nullptr && v->defined();
+  if (const auto array = array_of(e)) {
+    return element(*array, read_subscripts(tree, id), e.span, false, false)->defined();
   }
   fail(Code::unexpected_item, e.span, "expected a name");
 }

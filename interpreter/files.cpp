@@ -175,8 +175,8 @@ void Interpreter::read_file() {
       if (const auto* id = t.node<ast::Name>(); id != nullptr && !symbols_.reserved(id->name)) {
         Slot* slot = env_.find(id->name);
         target = slot != nullptr ? Environment::value_of(slot) : &env_.for_global(id->name).value;
-      } else if (const auto* index = t.node<ast::Index>()) {
-        target = element(*t.tree, index->name, index->subscripts, t.span, true, false);
+      } else if (t.kind == Token::Kind::expr && array_of(t.expression())) {
+        target = element(*array_of(t.expression()), read_subscripts(*t.tree, t.expr), t.span, true, false);
       }
       if (target == nullptr) unexpected(t, "a variable to read into");
       const DataFile::Datum datum = file.read();

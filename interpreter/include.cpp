@@ -111,6 +111,7 @@ const ast::Tree& Interpreter::load(const std::string& name, Span span) {
   const FileId file = sources_.add(*path, std::move(text).str());
   auto tree = grammar::parse(sources_, file, symbols_, diagnostics_);
   if (!tree) throw Failure{};
+  remember(*tree);
   return *trees_.emplace(key, std::move(tree)).first->second;
 }
 

@@ -1,6 +1,7 @@
 // The run of a scene: predefined names, the top level, messages and origins.
 #include "interpreter/interpret.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -46,7 +47,19 @@ void Interpreter::add_trace(Diagnostic& d) const {
   }
 }
 
+/// What the grammar had to say about the text at `loc`, if it could not read it (ast::Flaw).
+const ast::Flaw* Interpreter::flaw_at(Loc loc) const {
+  if (loc == 0) return nullptr;
+  const FileId file = sources_.file_of(loc);
+  if (file >= tree_of_.size() || tree_of_[file] == nullptr) return nullptr;
+  const auto& flaws = tree_of_[file]->flaws;
+  const auto it = std::ranges::lower_bound(flaws, loc, {}, &ast::Flaw::place);
+  return it != flaws.end() && it->place == loc ? &*it : nullptr;
+}
+
 void Interpreter::fail(Diagnostic d) {
+  // Text that the grammar could not read is reported as such, now that it is executed.
+  if (const ast::Flaw* flaw = flaw_at(d.span.begin)) d = flaw->why;
   add_trace(d);
   diagnostics_.report(std::move(d));
   throw Failure{};
@@ -101,6 +114,11 @@ scene::OriginId Interpreter::origin(Span span) {
   return static_cast<scene::OriginId>(scene_.origins.size() - 1);
 }
 
+void Interpreter::remember(const ast::Tree& tree) {
+  if (tree.file >= tree_of_.size()) tree_of_.resize(tree.file + 1);
+  tree_of_[tree.file] = &tree;
+}
+
 // ---- the scene ------------------------------------------------------------------------------------------
 
 void Interpreter::add_root(scene::ObjectId id) { scene_.roots.push_back({id, default_texture_}); }
@@ -147,6 +165,7 @@ std::optional<scene::Scene> Interpreter::run(FileId main_file) try {
   auto tree = grammar::parse(sources_, main_file, symbols_, diagnostics_);
   if (!tree) return std::nullopt;
   utf8_ = tree->utf8;
+  remember(*tree);
 
   // Declared on the command line first: those win over the predefined names (language §9.2).
   const auto global = [&](std::string_view name, Value value) {

@@ -93,10 +93,19 @@ class Interpreter {
   bool is_defined(const ast::Tree& tree, ast::ExprId id);
   void call_macro(const ast::Tree& tree, ast::ExprId call, bool flatten);
   void bind_argument(Slot& slot, const ast::Tree& tree, ast::ExprId arg);
-  Value* element(const ast::Tree& tree, SymbolId name, ast::Range subscripts, Span span,
+  struct Subscript {
+    double value;
+    Span span;
+  };
+  std::vector<Subscript> read_subscripts(const ast::Tree& tree, ast::Range list);
+  /// The same of an Index or OpenGroup(index).
+  std::vector<Subscript> read_subscripts(const ast::Tree& tree, ast::ExprId id);
+  Value* element(SymbolId name, const std::vector<Subscript>& subscripts, Span span,
                  bool for_writing, bool must_exist = true);
-  std::vector<std::size_t> subscripts(const ast::Tree& tree, ast::Range list, const Array& array,
-                                      Span span, std::size_t& used);
+  std::size_t flat_index(const std::vector<Subscript>& subscripts, const Array& array, Span span,
+                         std::size_t& used);
+  /// The array that an Index or OpenGroup(index) names; none for other expressions.
+  [[nodiscard]] static std::optional<SymbolId> array_of(const ast::Expr& e);
   void store(Value& target, Value value, bool is_element, const Array* array, Span span);
   void default_block();
   void set_version(double v, Span span);
@@ -246,6 +255,8 @@ class Interpreter {
   [[noreturn]] void fail(Diagnostic d);
   void warn(Code code, Span span, std::string message, std::string help = {});
   void add_trace(Diagnostic& d) const;
+  [[nodiscard]] const ast::Flaw* flaw_at(Loc loc) const;
+  void remember(const ast::Tree& tree);
   [[noreturn]] void not_supported(std::string_view feature, Span span);
   scene::OriginId origin(Span span);
   scene::OriginId call_origin();
@@ -269,6 +280,7 @@ class Interpreter {
 
   std::unordered_map<std::string, std::unique_ptr<const ast::Tree>> trees_;
   std::vector<std::unique_ptr<const ast::Tree>> main_trees_;
+  std::vector<const ast::Tree*> tree_of_;  // by file
   std::unordered_set<std::uint64_t> warned_;
 
   // Reserved word → index into the registry.

@@ -26,7 +26,7 @@ import report
 
 OPTIONS = ["+W160", "+H120", "-A", "-D"]
 ORACLE_LIMIT, DURER_LIMIT = 300.0, 60.0  # seconds
-BASELINE = programs.ROOT / "tests" / "conformance" / "baseline.tsv"
+BASELINE = programs.ROOT / "tests" / "examples" / "baseline.tsv"
 ORACLE_FAILS = "the oracle fails"
 RANK = {"exact": 4, "match": 3, "near": 2, "wrong": 1, "fail": 0}
 CLASSES = [*RANK, ORACLE_FAILS]

@@ -27,6 +27,9 @@ bool all_supported(const scene::Scene& scene, const Geometry& geometry,
     const scene::InteriorId interior = geometry.interiors()[leaf.interior].interior;
     if (interior != scene::none) report.check_interior(interior);
   }
+  if (scene.sky_sphere) {
+    for (const scene::Pigment& p : scene.sky_sphere->pigments) report.check_pigment(p);
+  }
   return !diagnostics.has_errors();
 }
 

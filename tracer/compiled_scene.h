@@ -8,6 +8,7 @@
 #include "tracer/geometry.h"
 #include "tracer/lights/light.h"
 #include "tracer/shading/interior.h"
+#include "tracer/shading/sky.h"
 #include "tracer/shading/texture.h"
 
 namespace durer::tracer {
@@ -21,11 +22,12 @@ struct SurfaceProgram {
 
 struct CompiledScene {
   CompiledScene(const scene::Scene& s, Geometry g)
-      : scene(&s), geometry(std::move(g)), textures(s) {}
+      : scene(&s), geometry(std::move(g)), textures(s), sky(s) {}
 
   const scene::Scene* scene;
   Geometry geometry;
   TextureStore textures;
+  Sky sky;
   std::vector<SurfaceProgram> surfaces;  // parallel to geometry.surfaces()
   std::vector<Interior> interiors;       // parallel to geometry.interiors()
   std::vector<Light> lights;

@@ -219,7 +219,7 @@ class Flattener {
     Diagnostic d;
     d.code = Code::not_supported;
     d.span = scene_.origins[object.origin].span;
-    d.message = '`' + std::string(what) + "` is not supported yet";
+    d.message = std::string(what) + " is not supported yet";
     for (auto at = scene_.origins[object.origin].parent; at != 0; at = scene_.origins[at].parent) {
       d.trace.push_back({scene_.origins[at].span, "expanded from here"});
     }

@@ -6,7 +6,7 @@ durer_library(tracer
   SOURCES
     compile.cpp unsupported.cpp
     patterns/patterns.cpp ${pattern_sources}
-    shading/finish.cpp shading/interior.cpp shading/pigment.cpp shading/spectrum.cpp
+    shading/finish.cpp shading/interior.cpp shading/pigment.cpp shading/sky.cpp shading/spectrum.cpp
     shading/texture.cpp
     lights/light.cpp
     transport/light.cpp transport/surface.cpp transport/trace.cpp

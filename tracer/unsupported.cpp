@@ -54,7 +54,7 @@ void UnsupportedReport::report(std::string_view feature, scene::OriginId origin)
   Diagnostic d;
   d.code = Code::not_supported;
   d.span = scene_->origins[origin].span;
-  d.message = fmt::format("cannot render `{}` yet", feature);
+  d.message = fmt::format("{} is not supported yet", feature);
   d.at = "used by an object of the scene";
   for (scene::OriginId i = scene_->origins[origin].parent; i != 0; i = scene_->origins[i].parent) {
     d.trace.push_back({scene_->origins[i].span, "expanded from here"});

@@ -16,8 +16,9 @@ class UnsupportedReport {
   void check_texture(scene::TextureId texture);
   void check_interior(scene::InteriorId interior);
 
- private:
   void check_pigment(const scene::Pigment& pigment);
+
+ private:
   void check_finish(const scene::Finish& finish, scene::OriginId origin);
   void report(std::string_view feature, scene::OriginId origin);
 

@@ -62,7 +62,7 @@ struct Disc::Ring {
   [[nodiscard]] std::optional<Nearest> nearest(const Ray& ray, double t_from, double t_to) const {
     if (!meets_plane(ray)) return std::nullopt;
     const double t = -ray.o.z / ray.d.z;
-    if (t < t_from || t >= t_to || !in_ring(ray.at(t))) return std::nullopt;
+    if (!(t >= t_from && t < t_to) || !in_ring(ray.at(t))) return std::nullopt;
     return Nearest{t, 0};
   }
 };

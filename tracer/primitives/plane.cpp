@@ -68,7 +68,7 @@ struct Plane::HalfSpace {
     const double slope = glm::dot(n, ray.d);
     if (!(std::abs(slope) >= epsilon)) return std::nullopt;
     const double t = (distance - glm::dot(n, ray.o)) / slope;
-    if (t < t_from || t >= t_to) return std::nullopt;
+    if (!(t >= t_from && t < t_to)) return std::nullopt;
     return Nearest{t, 0};
   }
 };

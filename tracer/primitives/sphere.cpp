@@ -76,7 +76,7 @@ struct Sphere {
     if (!c) return std::nullopt;
     double t = c->middle - c->half;
     if (t < t_from) t = c->middle + c->half;
-    if (t < t_from || t >= t_to) return std::nullopt;
+    if (!(t >= t_from && t < t_to)) return std::nullopt;
     return Nearest{t, 0};
   }
 };

@@ -18,7 +18,7 @@ struct Torus {
   };
 
   static std::vector<Torus> samples() {
-    return {{1, 0.25}, {5, 0.01}, {1, 0.999}, {0.5, 1}, {0, 1}};
+    return {{1, 0.25}, {5, 0.01}, {1, 0.999}, {0.5, 1}, {0.1, 1}};
   }
 
   struct Ring;

@@ -107,7 +107,7 @@ std::optional<Nearest> Tube::nearest(const Ray& ray, double t_from, double t_to)
   const Pieces pieces = inside(ray);
   std::optional<Nearest> best;
   const auto offer = [&](End e) {
-    if (!visible(e.part) || e.t < t_from || e.t >= t_to) return;
+    if (!visible(e.part) || !(e.t >= t_from && e.t < t_to)) return;
     best = Nearest{e.t, e.part};
     t_to = e.t;
   };

@@ -12,11 +12,12 @@ Scratch::Scratch(const CompiledScene& scene)
   reflections.reserve(64);
 }
 
-Tracer::Tracer(const CompiledScene& scene, Scratch& scratch)
+Tracer::Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha)
     : scene_(&scene),
       scratch_(&scratch),
       max_level_(std::clamp(scene.scene->settings.max_trace_level, 1, 256)),
       adc_(scene.scene->settings.adc_bailout),
+      alpha_(alpha),
       legacy_opacity_(scene.scene->settings.effective_version < 370),
       translucent_shadows_(scene.geometry.has_translucent_shadows()) {}
 
@@ -33,7 +34,7 @@ Radiance Tracer::trace(Path path) {
     Hit hit;
     ++scratch_->rays;
     if (!scene_->geometry.closest(path.ray, t_min, no_hit_depth, kind, hit, *scratch_->geometry)) {
-      const Radiance s = sky(path.reflected);
+      const Sky::Seen s = scene_->sky.at(path.ray.d, path.reflected || !alpha_);
       return {sum + through * s.colour, transmittance * s.transmittance};
     }
     if (!straight) ++path.level;
@@ -44,13 +45,6 @@ Radiance Tracer::trace(Path path) {
     through *= step.through;
     straight = step.straight;
   }
-}
-
-Radiance Tracer::sky(bool reflected) const {
-  const Colour& b = scene_->scene->background;
-  // What a mirror shows is opaque, whatever the picture's alpha is to be (shading §7.2).
-  if (reflected) return {b.rgb, 0};
-  return {b.rgb * b.opacity(), std::min(1.0F, std::abs(grey(b.transmission())))};
 }
 
 Tracer::View Tracer::look(const Hit& hit, dvec3 d) const {

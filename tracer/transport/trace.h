@@ -55,7 +55,8 @@ struct Scratch {
 /// Traces rays of one thread.
 class Tracer {
  public:
-  Tracer(const CompiledScene& scene, Scratch& scratch);
+  /// `alpha`: see RenderOptions.
+  Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha);
 
   [[nodiscard]] Radiance trace(Path path);
 
@@ -93,7 +94,6 @@ class Tracer {
     bool tir = false;  // totally reflected inside
   };
 
-  [[nodiscard]] Radiance sky(bool reflected) const;
   [[nodiscard]] View look(const Hit& hit, dvec3 d) const;
   [[nodiscard]] Step surface(const View& view, Path& path);
   [[nodiscard]] LayerSum sum_layers(const View& view, const Path& path);
@@ -120,6 +120,7 @@ class Tracer {
   Scratch* scratch_;
   int max_level_;
   float adc_;
+  bool alpha_;
   bool legacy_opacity_;
   bool translucent_shadows_;
 };

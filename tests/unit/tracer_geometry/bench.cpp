@@ -21,12 +21,15 @@ Geometry many_spheres() {
 
 /// Camera rays of a 512 x 512 picture and one shadow ray from each hit. Returns hits.
 int primary_and_shadow(const Geometry& geometry, dvec3 eye, dvec3 light, int& rays) {
+  const dvec3 ahead = eye / -std::sqrt(eye.x * eye.x + eye.y * eye.y + eye.z * eye.z);
+  const dvec3 up(0, -ahead.z, ahead.y);  // eyes lie in x = 0
+  const auto look = [&](double x, double y) { return dvec3(x, 0, 0) - y * up + 0.8 * ahead; };
   const auto scratch = geometry.make_scratch();
   int lit = 0;
   constexpr int side = 512;
   for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x) {
-      const dvec3 d((x + 0.5) / side - 0.5, 0.5 - (y + 0.5) / side, 0.8);
+      const dvec3 d = look((x + 0.5) / side - 0.5, 0.5 - (y + 0.5) / side);
       Hit hit;
       ++rays;
       if (!geometry.closest({eye, d / std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z)}, t_min,
@@ -59,7 +62,30 @@ void measure(const char* what, const Geometry& geometry, dvec3 eye, dvec3 light)
   CHECK(lit > 0);
 }
 
+/// A slab with 1,800 holes: cylinders and cones by turns, on a grid.
+Geometry drilled_slab() {
+  SceneBuilder b;
+  std::vector<scene::ObjectId> operands{b.add(primitive("box", {-30, -1, -15, 30, 0, 15}))};
+  for (int x = 0; x < 60; ++x) {
+    for (int z = 0; z < 30; ++z) {
+      const double cx = x - 29.5;
+      const double cz = z - 14.5;
+      operands.push_back(b.add((x + z) % 2 == 0
+                                   ? primitive("cylinder", {cx, -2, cz, cx, 1, cz, 0.35, 0})
+                                   : primitive("cone", {cx, -2, cz, 0.1, cx, 1, cz, 0.45, 0})));
+    }
+  }
+  b.show(b.csg(scene::NodeKind::difference, std::move(operands)));
+  Geometry geometry = b.build();
+  geometry.set_opaque(std::vector<bool>(geometry.surfaces().size(), true));
+  return geometry;
+}
+
 }  // namespace
+
+TEST_CASE("bench: slab with 1,800 holes, primary and shadow rays", "[.][!benchmark]") {
+  measure("slab with 1,800 holes", drilled_slab(), {0, 20, -40}, {20, 40, -20});
+}
 
 TEST_CASE("bench: 60,000 spheres, primary and shadow rays", "[.][!benchmark]") {
   measure("60,000 spheres", many_spheres(), {0, 0, -100}, {200, 300, -200});

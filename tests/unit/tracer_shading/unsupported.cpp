@@ -43,7 +43,7 @@ TEST_CASE("unsupported: a used feature is an error with its place and chain", "[
   CHECK(d.code == Code::not_supported);
   CHECK(d.severity == Severity::error);
   CHECK(d.span == Span{12, 7});
-  CHECK(d.message.find("`bozo`") != std::string::npos);
+  CHECK(d.message.find("bozo") != std::string::npos);
   REQUIRE(d.trace.size() == 1);
   CHECK(d.trace[0].span == Span{5, 2});
 }

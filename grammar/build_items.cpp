@@ -1,0 +1,109 @@
+// The part of the builder that makes items, and answers the grammar's questions about those before.
+#include "grammar/builder.h"
+
+namespace durer::grammar {
+
+using ast::ItemKind;
+
+void Builder::push_item(ItemKind kind, std::uint32_t ref, Span where, char detail) {
+  items_.push_back({kind, detail, ref, where});
+}
+
+const ast::Item* Builder::last_item() const {
+  return items_.size() > frames_.back().items ? &items_.back() : nullptr;
+}
+
+void Builder::expression_item() {
+  const ast::ExprId id = pop();
+  push_item(ItemKind::expr, id, expr(id).span);
+}
+
+bool Builder::resume_expression() {
+  const ast::Item* last = last_item();
+  if (last == nullptr || last->kind != ItemKind::expr) return false;
+  operands_.push_back(last->ref);
+  return true;
+}
+
+void Builder::resumed_item() {
+  const ast::ExprId id = pop();
+  items_.back().ref = id;
+  items_.back().span = expr(id).span;
+}
+
+void Builder::word_item(std::string_view text) {
+  token(text);
+  push_item(ItemKind::word, word_at(text.data(), end_)->id, span(text));
+}
+
+void Builder::mark(std::string_view text) {
+  token(text);
+  const char detail = text.size() == 1 ? text[0] : text[0] == '<' ? 'l' : text[0] == '>' ? 'g' : 'n';
+  push_item(ItemKind::punct, 0, span(text), detail);
+}
+
+void Builder::close_group(ItemKind kind, const char* at) {
+  const Span open = frames_.back().open;
+  const Span close = char_span(at);
+  last_end_ = close.end();
+  tree_->groups.push_back({take_items(), open, close});
+  frames_.pop_back();
+  push_item(kind, static_cast<std::uint32_t>(tree_->groups.size() - 1), open.to(close));
+}
+
+void Builder::close_file() { tree_->top = take_items(); }
+
+// ---- what may stand here ------------------------------------------------------------------------
+
+bool Builder::mark_allowed(const char* at) const {
+  const char c = *at;
+  const Frame& frame = frames_.back();
+  if (frame.kind == FrameKind::vector) {
+    return frame.directive_seen && (c == '+' || c == '-' || c == '*' || c == '/' || c == '.');
+  }
+  if (c == ',' || c == ';' || in_body() || is_stray(at)) return true;
+  const ast::Item* last = last_item();
+  if (last == nullptr) return frame.kind == FrameKind::file;  // of an include inside an expression
+  switch (last->kind) {
+    case ItemKind::directive: return true;
+    case ItemKind::expr: {
+      // `declare X = 1` without `#`, as very old scenes have it.
+      const bool old_declare = c == '=' && items_.size() > frame.items + 1U &&
+                               items_[items_.size() - 2].kind == ItemKind::word;
+      return expr(last->ref).may_expand || old_declare;
+    }
+    case ItemKind::punct: return last->detail != ',' && last->detail != ';';
+    default: return false;
+  }
+}
+
+bool Builder::function_ahead() const {
+  // `function {`, `function (a, b) {`, `function 9, 9 {`: a few operands at most.
+  const std::uint32_t first = frames_.back().items;
+  std::size_t looked = 0;
+  for (std::size_t i = items_.size(); i > first && looked < 8; --i, ++looked) {
+    const ast::Item& item = items_[i - 1];
+    if (item.kind == ItemKind::word) return item.ref == words::function;
+    const bool comma = item.kind == ItemKind::punct && item.detail == ',';
+    if (item.kind != ItemKind::expr && !comma) return false;
+  }
+  return false;
+}
+
+bool Builder::relation_only(const char* at) const {
+  if (at != item_start_) return false;
+  const Frame& frame = frames_.back();
+  const bool full_level = (frame.kind == FrameKind::paren && !frame.arguments) ||
+                          (frame.kind == FrameKind::braces && frame.in_function);
+  const ast::Item* last = last_item();
+  return full_level && last != nullptr && last->kind == ItemKind::expr;
+}
+
+bool Builder::relation_possible(const char* at, bool seen) const {
+  if (at != item_start_) return false;
+  const ast::Item* last = last_item();
+  if (seen || (last != nullptr && last->kind == ItemKind::directive)) return true;
+  return frames_.back().arguments && last != nullptr && last->kind == ItemKind::expr;
+}
+
+}  // namespace durer::grammar

@@ -1,0 +1,141 @@
+// Directives (language §4). Their bodies are items; the scan has made sure that each has its `#end`.
+#pragma once
+
+#include "grammar/items.h"
+
+namespace durer::grammar::rules {
+
+// clang-format off
+
+/// A word of a head: where it ends matters for the span of the head.
+template <SymbolId... Ids>
+struct head_word        : one_word<Ids...> {};
+/// `#` and one of these words.
+template <SymbolId... Ids>
+struct hash             : p::seq<p::one<'#'>, gap, head_word<Ids...>, gap> {};
+
+// ---- shared parts --------------------------------------------------------------------------------
+
+struct opening          : p::seq<paired<'('>, gap> {};
+struct closing          : p::seq<mark_of<')'>, gap> {};
+struct semicolon        : p::seq<mark_of<';'>, gap> {};
+
+struct condition_open   : paired<'('> {};
+struct condition_close  : paired<')'> {};
+struct condition        : p::seq<condition_open, gap, deeper<items<full_mode>>, p::must<condition_close>, gap> {};
+
+struct any_name         : any_word {};
+struct lvalue           : p::seq<any_name, gap, p::opt<index>> {};
+struct new_name         : identifier {};
+struct new_lvalue       : p::seq<new_name, gap, p::opt<index>> {};
+struct bound            : additive {};
+
+struct body             : deeper<items<plain_mode>> {};
+struct block_end        : hash<words::end> {};
+
+// ---- declarations --------------------------------------------------------------------------------
+
+struct deprecated_once  : head_word<words::once> {};
+struct deprecated_word  : head_word<words::deprecated> {};
+struct deprecated       : p::seq<deprecated_word, gap, p::opt<deprecated_once, gap>, p::opt<text>> {};
+struct equals           : p::seq<mark_of<'='>, gap> {};
+template <SymbolId Word>
+struct declare_head     : p::seq<hash<Word>, p::opt<deprecated>, p::must<new_lvalue, equals>> {};
+struct any_declare_head : p::sor<declare_head<words::declare>, declare_head<words::local>> {};
+
+// A value that is not closed here becomes the item after the directive (ast::Declare).
+struct closed_by_mark   : semicolon {};
+struct closed_by_next   : p::success {};
+struct declared_value   : p::seq<additive, p::sor<closed_by_mark, closed_by_next>> {};
+struct declare          : p::seq<any_declare_head, p::opt<declared_value>> {};
+
+struct undef            : p::seq<hash<words::undef>, p::must<lvalue>> {};
+
+// ---- conditionals --------------------------------------------------------------------------------
+
+struct if_head          : p::seq<hash<words::if_>, p::must<condition>> {};
+struct ifdef_head       : p::seq<hash<words::ifdef>, p::must<opening, lvalue, closing>> {};
+struct ifndef_head      : p::seq<hash<words::ifndef>, p::must<opening, lvalue, closing>> {};
+struct elseif_head      : p::seq<hash<words::elseif>, p::must<condition>> {};
+struct else_head        : hash<words::else_> {};
+struct conditional      : p::seq<p::sor<if_head, ifdef_head, ifndef_head>, body,
+                                 p::star<elseif_head, body>, p::star<else_head, body>, p::must<block_end>> {};
+
+struct switch_head      : p::seq<hash<words::switch_>, p::must<condition>> {};
+struct first_case       : p::at<hash<words::case_, words::range, words::else_, words::end>> {};
+struct case_head        : p::seq<hash<words::case_>, p::must<condition>> {};
+struct range_head       : p::seq<hash<words::range>, p::must<opening, bound>, p::opt<comma>, p::must<bound, closing>> {};
+struct otherwise_head   : hash<words::else_> {};
+struct switch_block     : p::seq<switch_head, p::must<first_case>,
+                                 p::star<p::sor<case_head, range_head>, body>,
+                                 p::star<otherwise_head, body>, p::must<block_end>> {};
+
+// ---- loops and macros ----------------------------------------------------------------------------
+
+struct while_head       : p::seq<hash<words::while_>, p::must<condition>> {};
+struct for_open         : paired<'('> {};
+struct for_head         : p::seq<hash<words::for_>, p::must<for_open>, gap, p::must<new_name>, gap, p::opt<comma>,
+                                 p::must<bound>, p::opt<comma>, p::must<bound>, p::opt<comma>, p::opt<bound>,
+                                 p::must<closing>> {};
+struct macro_param      : identifier {};
+struct macro_params     : p::star<macro_param, gap, p::opt<comma>> {};
+struct macro_head       : p::seq<hash<words::macro>, p::must<new_name>, gap, p::must<opening>, macro_params,
+                                 p::must<closing>> {};
+struct repeated         : p::seq<p::sor<while_head, for_head, macro_head>, body, p::must<block_end>> {};
+
+// ---- directives with operands --------------------------------------------------------------------
+
+struct operand_value    : p::sor<text, p::seq<primary, p::opt<member>>> {};
+struct version_value    : additive {};
+template <SymbolId Word>
+struct text_head        : hash<Word> {};
+struct text_directive   : p::seq<p::sor<text_head<words::include>, text_head<words::debug>, text_head<words::warning>,
+                                        text_head<words::error>, text_head<words::render>,
+                                        text_head<words::statistics>>,
+                                 p::opt<operand_value>> {};
+struct version_head     : hash<words::version> {};
+struct version          : p::seq<version_head, p::opt<version_value, p::opt<semicolon>>> {};
+
+template <SymbolId Word>
+struct simple_head      : hash<Word> {};
+struct file_open        : paired<'('> {};
+struct file_close       : paired<')'> {};
+struct file_arguments   : p::seq<file_open, gap, deeper<items<argument_mode>>, p::must<file_close>, gap> {};
+struct file_directive   : p::seq<p::sor<simple_head<words::read>, simple_head<words::write>>, p::opt<file_arguments>> {};
+struct simple_directive : p::sor<simple_head<words::default_>, simple_head<words::fopen>, simple_head<words::fclose>,
+                                 simple_head<words::break_>> {};
+
+// ---- any directive -------------------------------------------------------------------------------
+
+struct terminator       : hash<words::end, words::else_, words::elseif, words::case_, words::range> {};
+struct unknown_word     : any_word {};
+struct unknown          : p::seq<p::not_at<terminator>, p::one<'#'>, gap, unknown_word, gap> {};
+
+struct directive        : p::seq<p::at<p::one<'#'>>,
+                                 p::sor<declare, conditional, repeated, switch_block, text_directive, file_directive,
+                                        version, simple_directive, undef, unknown>> {};
+
+// ---- what is left of text that cannot be read ----------------------------------------------------
+
+struct block_word       : one_word<words::if_, words::ifdef, words::ifndef, words::while_, words::for_,
+                                   words::switch_, words::macro> {};
+struct unread_block;
+struct unread_token     : p::sor<word_text, number, string, p::seq<p::not_one<'#'>>,
+                                 p::seq<p::one<'#'>, gap, p::not_at<one_word<words::end>>>> {};
+struct unread_text      : p::seq<p::star<gap, p::sor<deeper<unread_block>, unread_token>>, gap> {};
+struct unread_block     : p::seq<p::one<'#'>, gap, block_word, unread_text, p::one<'#'>, gap, one_word<words::end>, gap> {};
+// A malformed `#if` or `#macro` is dropped with all that belongs to it.
+struct unknown_block    : p::seq<p::at<p::one<'#'>, gap, block_word>, p::one<'#'>, gap, unknown_word, p::disable<unread_text>,
+                                 p::disable<p::one<'#'>, gap, one_word<words::end>, gap>> {};
+struct fallback_value   : p::seq<p::sor<p::seq<string>, number, name>, gap> {};
+struct fallback         : p::sor<attempt<any_declare_head>, unknown_block, unknown,
+                                 expression_item<fallback_value>,
+                                 p::seq<p::sor<word_item, comma_item, mark>, gap>> {};
+
+// ---- the file ------------------------------------------------------------------------------------
+
+struct end_of_file      : p::eof {};
+struct file             : p::seq<gap, items<plain_mode>, p::must<end_of_file>> {};
+// clang-format on
+
+}  // namespace durer::grammar::rules

@@ -1,0 +1,34 @@
+// What a ray sees that hits nothing: sky sphere over background (shading §7).
+#pragma once
+
+#include <vector>
+
+#include "scene/scene.h"
+#include "tracer/shading/pigment.h"
+
+namespace durer::tracer {
+
+class Sky {
+ public:
+  explicit Sky(const scene::Scene& scene);
+
+  struct Seen {
+    vec3 colour;
+    float transmittance;  // of the picture, 0…1
+  };
+  /// Colour in direction `d` (unit length). Mirrors, and pictures without an alpha channel, show an
+  /// opaque sky.
+  [[nodiscard]] Seen at(dvec3 d, bool opaque) const;
+
+ private:
+  [[nodiscard]] Seen modern(dvec3 d, const Colour& background) const;
+  [[nodiscard]] Seen legacy(dvec3 d, const Colour& background) const;
+
+  Colour background_;
+  bool legacy_ = false;  // rules of versions below 3.7
+  vec3 emission_{1.0F};
+  PigmentStore pigments_;
+  std::vector<PigmentId> layers_;  // in written order; later ones lie on top
+};
+
+}  // namespace durer::tracer
