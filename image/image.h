@@ -73,6 +73,10 @@ struct Format {
 [[nodiscard]] std::optional<std::string> write(const Image& image, const std::string& path,
                                                const Format& format, const Encoding& encoding);
 
+/// Tells, before a long render, why a file could not be written to `path` ("-" and an empty path
+/// always can). Leaves nothing behind.
+[[nodiscard]] std::optional<std::string> probe(const std::string& path);
+
 /// One pixel as display-ready 8-bit sRGB, for previews in a terminal.
 [[nodiscard]] std::uint32_t display_rgb(const Image& image, int x, int y, const Encoding& encoding);
 

@@ -71,24 +71,50 @@ std::optional<std::string> replace_file(const fs::path& path,
   return fmt::format("cannot write `{}`: {}", path.string(), why);
 }
 
+/// What stands at a path: a link is followed, so that it stays a link.
+struct Target {
+  fs::path path;
+  bool direct = false;  // a device or a pipe, which cannot be replaced
+  std::optional<std::string> error;
+};
+
 /// An existing file that may not be written stays, even where its folder would let us replace it.
+Target target_of(const std::string& path) {
+  std::error_code ignored;
+  Target t;
+  t.path = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : fs::path(path);
+  const fs::file_status status = fs::status(t.path, ignored);
+  if (fs::is_directory(status)) {
+    t.error = fmt::format("cannot write `{}`: it is a folder", path);
+  } else if (fs::exists(status)) {
+    if (::access(t.path.c_str(), W_OK) != 0) {
+      t.error = fmt::format("cannot write `{}`: {}", path, reason());
+    }
+    t.direct = !fs::is_regular_file(status);
+  }
+  return t;
+}
+
 std::optional<std::string> write_file(const std::string& path,
                                       std::span<const unsigned char> bytes) {
-  std::error_code ignored;
-  const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored)
-                                                        : fs::path(path);
-  const fs::file_status status = fs::status(target, ignored);
-  if (fs::is_directory(status)) return fmt::format("cannot write `{}`: it is a folder", path);
-  if (fs::exists(status)) {
-    if (::access(target.c_str(), W_OK) != 0) {
-      return fmt::format("cannot write `{}`: {}", path, reason());
-    }
-    if (!fs::is_regular_file(status)) return write_directly(path, bytes);  // a device or a pipe
-  }
-  return replace_file(target, bytes);
+  const Target target = target_of(path);
+  if (target.error) return target.error;
+  return target.direct ? write_directly(path, bytes) : replace_file(target.path, bytes);
 }
 
 }  // namespace
+
+std::optional<std::string> probe(const std::string& path) {
+  if (path.empty() || path == "-") return std::nullopt;
+  const Target target = target_of(path);
+  if (target.error || target.direct) return target.error;
+  std::string part;
+  const int fd = open_beside(target.path, part);
+  if (fd < 0) return fmt::format("cannot write `{}`: {}", path, reason());
+  ::close(fd);
+  ::unlink(part.c_str());
+  return std::nullopt;
+}
 
 std::optional<std::string> write(const Image& image, const std::string& path, const Format& format,
                                  const Encoding& encoding) {

@@ -94,7 +94,8 @@ class Antialias {
     std::uint32_t index = 0;
     for (int j = 0; j < n; ++j) {
       for (int i = 0; i < n; ++i) {
-        dvec2 at(x + start + i * step, y + start + j * step);
+        // Offsets first: the hash below sees the last bit of a position.
+        dvec2 at(x + (start + i * step), y + (start + j * step));
         if (options_.jitter > 0) {
           at += jitter(at.x, at.y) * (static_cast<double>(options_.jitter) / n);
         }

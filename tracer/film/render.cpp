@@ -52,7 +52,7 @@ class BlockRenderer {
         image_(&image),
         camera_(scene.scene->camera),
         scratch_(scene),
-        tracer_(scene, scratch_),
+        tracer_(scene, scratch_, options.alpha),
         antialias_({options.aa_threshold, options.aa_depth, options.aa_jitter, options.aa_gamma,
                     scene.scene->settings.assumed_gamma}) {}
 

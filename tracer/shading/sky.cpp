@@ -14,15 +14,15 @@ Sky::Sky(const scene::Scene& scene)
   }
 }
 
-Sky::Seen Sky::at(dvec3 d, bool reflected) const {
+Sky::Seen Sky::at(dvec3 d, bool opaque) const {
   Colour background = background_;
   if (legacy_) {
     // With an alpha channel the old rules show nothing at all (shading §7.2).
-    if (background.transmit == 1 && !reflected) return {vec3(0.0F), 1};
-    background.transmit = 0;
+    if (!opaque) return {vec3(0.0F), 1};
+    background.filter = background.transmit = 0;
     return legacy(d, background);
   }
-  if (reflected) background.filter = background.transmit = 0;
+  if (opaque) background.filter = background.transmit = 0;
   return modern(d, background);
 }
 

@@ -16,8 +16,9 @@ class Sky {
     vec3 colour;
     float transmittance;  // of the picture, 0…1
   };
-  /// Colour in direction `d` (unit length). Mirrors show an opaque sky: `reflected`.
-  [[nodiscard]] Seen at(dvec3 d, bool reflected) const;
+  /// Colour in direction `d` (unit length). Mirrors, and pictures without an alpha channel, show an
+  /// opaque sky.
+  [[nodiscard]] Seen at(dvec3 d, bool opaque) const;
 
  private:
   [[nodiscard]] Seen modern(dvec3 d, const Colour& background) const;

@@ -12,11 +12,12 @@ Scratch::Scratch(const CompiledScene& scene)
   reflections.reserve(64);
 }
 
-Tracer::Tracer(const CompiledScene& scene, Scratch& scratch)
+Tracer::Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha)
     : scene_(&scene),
       scratch_(&scratch),
       max_level_(std::clamp(scene.scene->settings.max_trace_level, 1, 256)),
       adc_(scene.scene->settings.adc_bailout),
+      alpha_(alpha),
       legacy_opacity_(scene.scene->settings.effective_version < 370),
       translucent_shadows_(scene.geometry.has_translucent_shadows()) {}
 
@@ -33,7 +34,7 @@ Radiance Tracer::trace(Path path) {
     Hit hit;
     ++scratch_->rays;
     if (!scene_->geometry.closest(path.ray, t_min, no_hit_depth, kind, hit, *scratch_->geometry)) {
-      const Sky::Seen s = scene_->sky.at(path.ray.d, path.reflected);
+      const Sky::Seen s = scene_->sky.at(path.ray.d, path.reflected || !alpha_);
       return {sum + through * s.colour, transmittance * s.transmittance};
     }
     if (!straight) ++path.level;

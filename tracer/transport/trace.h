@@ -55,7 +55,8 @@ struct Scratch {
 /// Traces rays of one thread.
 class Tracer {
  public:
-  Tracer(const CompiledScene& scene, Scratch& scratch);
+  /// `alpha`: see RenderOptions.
+  Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha);
 
   [[nodiscard]] Radiance trace(Path path);
 
@@ -119,6 +120,7 @@ class Tracer {
   Scratch* scratch_;
   int max_level_;
   float adc_;
+  bool alpha_;
   bool legacy_opacity_;
   bool translucent_shadows_;
 };

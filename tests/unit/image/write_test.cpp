@@ -139,6 +139,17 @@ TEST_CASE("write: `-` sends the whole file to standard output", "[image][write]"
   CHECK(test::bytes_of(piped) == test::bytes_of(folder / "a.png"));
 }
 
+TEST_CASE("write: what could not be written is known beforehand", "[image][write]") {
+  const test::Folder folder;
+  CHECK_FALSE(probe(folder / "a.png"));
+  CHECK_FALSE(probe("-"));
+  CHECK_FALSE(probe(""));
+  CHECK_FALSE(probe("/dev/null"));
+  CHECK(probe(folder / "missing/a.png"));
+  CHECK(probe(folder / "."));
+  CHECK(folder.files() == 0);
+}
+
 TEST_CASE("write: a device is written, not replaced", "[image][write]") {
   REQUIRE_FALSE(write(plain(9, 2, 1, 1, 1), "/dev/null", png(), {}));
   CHECK(std::filesystem::is_character_file("/dev/null"));

@@ -110,19 +110,24 @@ TEST_CASE("reflection: a mirrored background is opaque", "[tracer][reflection][a
   s.scene.background = rgbft(0.5F, 0.25F, 0.8F, 0, 0.3F);
   SECTION("in a mirror") {
     s.floor(plain(rgbft(0, 0, 0)), mirror(1));
-    const glm::vec4 p = pixel(s.scene);
+    const glm::vec4 p = pixel(s.scene, true);
+    CHECK(p.y == Approx(0.25));
+    CHECK(p.w == 1);
+  }
+  SECTION("without alpha, transmit does not count") {
+    const glm::vec4 p = pixel(s.scene, false);
     CHECK(p.y == Approx(0.25));
     CHECK(p.w == 1);
   }
   SECTION("seen directly") {
-    const glm::vec4 p = pixel(s.scene);
+    const glm::vec4 p = pixel(s.scene, true);
     CHECK(p.y == Approx(0.25 * 0.7));
     CHECK(p.w == Approx(0.7));
   }
   SECTION("through a luminous film") {
     s.scene.background = rgbft(0, 0, 0, 0, 1);
     s.floor(plain(rgbft(0.9F, 0.6F, 0.3F, 0, 0.4F)), luminous());
-    const glm::vec4 p = pixel(s.scene);
+    const glm::vec4 p = pixel(s.scene, true);
     CHECK(p.x == Approx(0.9 * 0.6));
     CHECK(p.w == Approx(0.6));
   }

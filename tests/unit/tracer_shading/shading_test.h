@@ -21,11 +21,12 @@ inline tracer::CompiledScenePtr compiled(const scene::Scene& scene) {
 }
 
 /// Red, green, blue, alpha of the picture's centre.
-inline glm::vec4 pixel(const scene::Scene& scene) {
+inline glm::vec4 pixel(const scene::Scene& scene, bool alpha = false) {
   const tracer::CompiledScenePtr c = compiled(scene);
   tracer::RenderOptions options;
   options.width = options.height = 1;
   options.threads = 1;
+  options.alpha = alpha;
   const tracer::RenderResult r = tracer::render(*c, options);
   const auto p = r.image.at(0, 0);
   return {p[0], p[1], p[2], p[3]};

@@ -1,0 +1,23 @@
+// What the program can be told to do. Each takes the words behind the program's (and the command's)
+// name and returns the exit code.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace durer::cli {
+
+namespace exit_code {
+inline constexpr int ok = 0;
+inline constexpr int error = 1;
+inline constexpr int interrupted = 2;
+}  // namespace exit_code
+
+[[nodiscard]] int render_command(const std::vector<std::string>& words);
+/// `durer parse FILE…`: says nothing and returns 0 if all files follow the grammar.
+[[nodiscard]] int parse_command(const std::vector<std::string>& words);
+
+/// True if messages on standard error may be coloured (a terminal, and NO_COLOR is not set).
+[[nodiscard]] bool colour_wanted();
+
+}  // namespace durer::cli

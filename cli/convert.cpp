@@ -1,0 +1,88 @@
+#include "cli/convert.h"
+
+#include <fmt/format.h>
+
+namespace durer::cli {
+namespace {
+
+/// `Version=3.7` on the command line switches the encoding of the output on for scenes that do not
+/// handle gamma themselves; their numbers then count as linear light (shading §1.2).
+bool encodes_despite_scene(const Settings& s, const scene::Settings& scene) {
+  return scene.gamma_mode == scene::GammaMode::off && s.version >= 370;
+}
+
+std::string gamma_text(const GammaCurve& curve) {
+  switch (curve.kind) {
+    case GammaCurve::Kind::linear: return "1";
+    case GammaCurve::Kind::srgb: return "srgb";
+    case GammaCurve::Kind::power: break;
+  }
+  return fmt::format("{:.4g}", curve.gamma);
+}
+
+std::string gamma_assumption(const Settings& s, const scene::Settings& scene) {
+  if (encodes_despite_scene(s, scene)) {
+    return "no assumed_gamma, 1 is taken because of Version=3.7";
+  }
+  switch (scene.gamma_mode) {
+    case scene::GammaMode::off: return "no assumed_gamma, colours are stored as they are";
+    case scene::GammaMode::implied: return "no assumed_gamma, 1 is taken";
+    case scene::GammaMode::legacy:
+    case scene::GammaMode::explicit_: break;
+  }
+  return fmt::format("assumed_gamma {}", gamma_text(scene.assumed_gamma));
+}
+
+}  // namespace
+
+interpreter::Options interpreter_options(const Settings& s) {
+  interpreter::Options o;
+  o.include_paths = s.library_paths;
+  o.declares = s.declares;
+  o.width = s.width;
+  o.height = s.height;
+  o.clock = static_cast<double>(static_cast<float>(s.clock));  // single precision (language §9.6)
+  o.clock_on = s.clock_given;
+  o.version = s.version;
+  o.output_alpha = s.alpha;
+  return o;
+}
+
+tracer::RenderOptions render_options(const Settings& s, const Window& window) {
+  tracer::RenderOptions o;
+  o.width = s.width;
+  o.height = s.height;
+  o.antialias = s.antialias && s.sampling_method != 0;
+  o.aa_threshold = static_cast<float>(s.aa_threshold);
+  o.aa_depth = s.aa_depth;
+  o.aa_jitter = s.jitter ? static_cast<float>(s.jitter_amount) : 0.0F;
+  o.aa_gamma = static_cast<float>(s.aa_gamma);
+  o.block_size = s.block_size;
+  o.threads = s.threads;
+  o.first_column = window.first_column;
+  o.end_column = window.end_column;
+  o.first_row = window.first_row;
+  o.end_row = window.end_row;
+  return o;
+}
+
+image::Encoding encoding_of(const Settings& s, const scene::Settings& scene) {
+  image::Encoding e;
+  e.working = scene.assumed_gamma;
+  e.encode = scene.gamma_mode != scene::GammaMode::off || encodes_despite_scene(s, scene);
+  if (encodes_despite_scene(s, scene)) e.working = GammaCurve();
+  e.file = s.file_gamma;
+  e.bits = s.bits;
+  e.greyscale = s.greyscale;
+  e.alpha = s.alpha;
+  e.compression = s.compressed_tga ? 1 : s.compression;
+  return e;
+}
+
+std::string assumptions(const Settings& s, const scene::Settings& scene) {
+  const bool declared = scene.effective_version == scene.declared_version;
+  return fmt::format("language {:.2f}{}; {}", scene.effective_version / 100.0,
+                     declared ? "" : " (no #version)", gamma_assumption(s, scene));
+}
+
+}  // namespace durer::cli

@@ -1,0 +1,33 @@
+#include "cli/window.h"
+
+#include <fmt/format.h>
+
+namespace durer::cli {
+namespace {
+
+struct Range {
+  int first;
+  int end;
+};
+
+std::optional<Range> range_of(const std::optional<double>& start, const std::optional<double>& end,
+                              int size, std::string_view what, std::string& problem) {
+  Range r{0, size};
+  if (start) r.first = static_cast<int>(*start < 1 ? *start * size : *start - 1);
+  if (end) r.end = static_cast<int>(*end <= 1 ? *end * size : *end);
+  if (r.first >= 0 && r.first < r.end && r.end <= size) return r;
+  problem = fmt::format("{}s {} to {} are not in a picture of {}", what, r.first + 1, r.end, size);
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Window> window_of(const Settings& s, std::string& problem) {
+  const auto columns = range_of(s.start_column, s.end_column, s.width, "column", problem);
+  if (!columns) return std::nullopt;
+  const auto rows = range_of(s.start_row, s.end_row, s.height, "row", problem);
+  if (!rows) return std::nullopt;
+  return Window{columns->first, columns->end, rows->first, rows->end};
+}
+
+}  // namespace durer::cli

@@ -1,0 +1,56 @@
+#include "cli/window.h"
+
+#include "tests/unit/cli/read.h"
+
+namespace durer::cli {
+namespace {
+
+std::optional<Window> window(std::vector<std::string> words) {
+  words.insert(words.begin(), {"+W80", "+H40"});
+  std::string problem;
+  const auto w = window_of(test::accepted(words), problem);
+  CHECK(w.has_value() == problem.empty());
+  return w;
+}
+
+}  // namespace
+
+TEST_CASE("window: the whole picture unless told otherwise", "[cli][window]") {
+  const auto w = window({});
+  REQUIRE(w);
+  CHECK(w->first_column == 0);
+  CHECK(w->end_column == 80);
+  CHECK(w->first_row == 0);
+  CHECK(w->end_row == 40);
+}
+
+TEST_CASE("window: pixel numbers count from 1 and include the last", "[cli][window]") {
+  const auto w = window({"+SC2", "+EC3", "+SR1", "+ER40"});
+  REQUIRE(w);
+  CHECK(w->first_column == 1);
+  CHECK(w->end_column == 3);
+  CHECK(w->first_row == 0);
+  CHECK(w->end_row == 40);
+}
+
+TEST_CASE("window: fractions of the size; an end of 1 is all of it", "[cli][window]") {
+  const auto w = window({"+SR0.25", "+ER0.5", "+EC1"});
+  REQUIRE(w);
+  CHECK(w->first_row == 10);
+  CHECK(w->end_row == 20);
+  CHECK(w->end_column == 80);
+  const auto odd = window({"+SC0.13", "+EC0.99"});  // 10.4 and 79.2
+  REQUIRE(odd);
+  CHECK(odd->first_column == 10);
+  CHECK(odd->end_column == 79);
+}
+
+TEST_CASE("window: outside the picture or empty is an error", "[cli][window]") {
+  CHECK_FALSE(window({"+SC81"}));
+  CHECK_FALSE(window({"+EC81"}));
+  CHECK_FALSE(window({"+SR5", "+ER4"}));
+  CHECK_FALSE(window({"+ER0"}));
+  test::refused({"+SC-1"});
+}
+
+}  // namespace durer::cli
