@@ -1,10 +1,8 @@
 // From the command line to the picture.
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdlib>
-#include <fstream>
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
@@ -144,7 +142,7 @@ int render_command(const std::vector<std::string>& words) {
   }
   if (const Problem problem = check(settings)) reader.error(*problem, {});
   if (settings.input.empty() && !option_problems.has_errors()) {
-    reader.error("there is no scene to render", {}, "durer scene.scene; durer --help");
+    reader.error("there is no scene to render", {}, "write `durer scene.scene`; `durer --help` lists the options");
   }
   std::string problem;
   Console console(settings, problem);

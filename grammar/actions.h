@@ -200,8 +200,10 @@ template <> struct on<file_close> {
   static void apply(const Input& in, Builder& b) { b.close_paren(in.begin()); b.expression_item(); }
 };
 template <> struct on<unknown_word>     : with_text<&Builder::unknown_word> {};
+template <> struct on<unread_word>      : with_text<&Builder::unknown_word> {};
 template <> struct on<unknown>          : with_text<&Builder::unknown> {};
 template <> struct on<unknown_block>    : with_text<&Builder::unknown> {};
+template <> struct on<unknown_head>     : with_text<&Builder::unknown> {};
 // clang-format on
 
 }  // namespace durer::grammar::rules

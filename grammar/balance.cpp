@@ -32,7 +32,11 @@ void Balance::close(char bracket, std::size_t at) {
       leave_open(marks_.back(), span(at, 1));
       marks_.pop_back();
     }
-    if (marks_.back().borrowed) strays_.push_back(at);
+    if (marks_.back().borrowed) {
+      strays_.push_back(at);
+    } else if (bracket == '}' && suspect_.begin == 0) {
+      compare_indentation(marks_.back().at, at);
+    }
     marks_.pop_back();
     return;
   }
@@ -40,8 +44,7 @@ void Balance::close(char bracket, std::size_t at) {
   if (region.kind != Kind::file) {
     region.closes += bracket;
   } else if (bracket != '}' || last_unknown_call_ == 0) {
-    report(span(at, 1), fmt::format("no matching `{}`", wanted), "closes nothing", {},
-           {});
+    report(span(at, 1), fmt::format("no matching `{}`", wanted), "closes nothing");
   }
 }
 
@@ -51,9 +54,31 @@ void Balance::leave_open(const Mark& mark, Span noticed) {
   strays_.push_back(mark.at);
   if (regions_.back().kind != Kind::file) return;
   if (mark.bracket == '{' && last_unknown_call_ > mark.at) return;
-  report(noticed, fmt::format("no matching `{}`", partner(mark.bracket)),
-         fmt::format("expected `{}` before this", partner(mark.bracket)), span(mark.at, 1),
-         fmt::format("this `{}` is still open", mark.bracket));
+  const char missing = partner(mark.bracket);
+  Diagnostic& d = report(noticed, fmt::format("no matching `{}`", missing),
+                         fmt::format("expected `{}` before this", missing),
+                         {span(mark.at, 1), fmt::format("this `{}` is still open", mark.bracket)});
+  if (mark.bracket == '{' && suspect_.begin > d.labels[0].span.begin) {
+    d.labels.push_back({suspect_, "the `}` that closes this one is indented otherwise"});
+  }
+}
+
+// A missing brace shows in the indentation long before the end of the file.
+void Balance::compare_indentation(std::size_t open, std::size_t close) {
+  constexpr std::size_t far = 200;  // a line that long is not indented by hand
+  const auto line_of = [this](std::size_t at) {
+    std::size_t start = at;
+    while (start > 0 && at - start < far && text_[start - 1] != '\n') --start;
+    return text_.substr(start, at - start);
+  };
+  const std::string_view before_close = line_of(close);
+  const std::string_view before_open = line_of(open);
+  if (before_close.data() == before_open.data()) return;
+  const std::size_t indent = before_open.find_first_not_of(" \t");
+  const bool alone = before_close.find_first_not_of(" \t") == std::string_view::npos;
+  const bool blank = indent == std::string_view::npos;
+  if (!alone || before_close == before_open.substr(0, blank ? before_open.size() : indent)) return;
+  suspect_ = span(open, 1);
 }
 
 void Balance::directive(std::string_view word, std::size_t at, std::size_t size) {
@@ -88,7 +113,7 @@ void Balance::next_branch(Kind expected, std::string_view word, Span at) {
   const bool fits = region.kind == expected || (word == "else" && region.kind == Kind::switch_);
   if (!fits) {
     report(at, fmt::format("`#{}` without `#{}`", word, expected == Kind::switch_ ? "switch" : "if"),
-           {}, region.head, "the innermost open directive");
+           {}, {region.head, "the innermost open directive"});
     return;
   }
   end_branch(region);
@@ -111,7 +136,7 @@ void Balance::end_branch(Region& region) {
 
 void Balance::end(Span at) {
   if (regions_.size() == 1) {
-    report(at, "`#end` without a directive to end", {}, {}, {});
+    report(at, "`#end` without a directive to end", {});
     return;
   }
   end_branch(regions_.back());
@@ -157,7 +182,7 @@ bool Balance::finish(std::size_t size) {
   while (regions_.size() > 1) {
     const Region& region = regions_.back();
     report(end_of_file, "no matching `#end`", "expected `#end` before the end of the file",
-           region.head, "this directive is still open");
+           {region.head, "this directive is still open"});
     marks_.resize(region.first_mark);
     regions_.pop_back();
   }
@@ -166,23 +191,24 @@ bool Balance::finish(std::size_t size) {
     marks_.pop_back();
   }
   std::sort(strays_.begin(), strays_.end());
-  return errors_ == 0;
+  for (Diagnostic& d : found_) diagnostics_->report(std::move(d));
+  return found_.empty();
 }
 
 bool Balance::is_stray(std::size_t at) const {
   return std::binary_search(strays_.begin(), strays_.end(), at);
 }
 
-void Balance::report(Span at, std::string message, std::string words, Span related,
-                     std::string related_words) {
-  if (++errors_ > 20) return;
+Diagnostic& Balance::report(Span at, std::string message, std::string words, Label related) {
   Diagnostic d;
   d.code = Code::unbalanced;
   d.span = at;
   d.message = std::move(message);
   d.at = std::move(words);
-  if (related.begin != 0) d.labels.push_back({related, std::move(related_words)});
-  diagnostics_->report(std::move(d));
+  if (related.span.begin != 0) d.labels.push_back(std::move(related));
+  constexpr std::size_t enough = 20;
+  if (found_.size() == enough) found_.pop_back();
+  return found_.emplace_back(std::move(d));
 }
 
 }  // namespace durer::grammar

@@ -19,8 +19,8 @@ namespace durer::grammar {
 /// - macros may open and close what their caller closes or has opened.
 class Balance {
  public:
-  Balance(Loc base, const SymbolTable& symbols, Diagnostics& diagnostics)
-      : base_(base), symbols_(&symbols), diagnostics_(&diagnostics) {
+  Balance(std::string_view text, Loc base, const SymbolTable& symbols, Diagnostics& diagnostics)
+      : text_(text), base_(base), symbols_(&symbols), diagnostics_(&diagnostics) {
     regions_.push_back({});
   }
 
@@ -42,6 +42,7 @@ class Balance {
   /// Upper bounds for the size of the tree.
   std::size_t operands = 0;
   std::size_t operators = 0;
+  std::size_t marks = 0;  // commas and such
 
  private:
   struct Mark {
@@ -72,20 +73,22 @@ class Balance {
   void apply(const Effect& effect, std::size_t at);
   void apply_close(char bracket);
   void leave_open(const Mark& mark, Span noticed);
-  void report(Span at, std::string message, std::string words, Span related,
-              std::string related_words);
+  void compare_indentation(std::size_t open, std::size_t close);
+  Diagnostic& report(Span at, std::string message, std::string words, Label related = {});
   [[nodiscard]] Span span(std::size_t at, std::size_t size) const {
     return {static_cast<Loc>(base_ + at), static_cast<std::uint32_t>(size)};
   }
 
+  std::string_view text_;
   Loc base_;
   const SymbolTable* symbols_;
   Diagnostics* diagnostics_;
+  std::vector<Diagnostic> found_;
   std::vector<Mark> marks_;
   std::vector<Region> regions_;
   std::vector<std::size_t> strays_;
   std::unordered_map<std::string_view, Effect> macros_;
-  std::size_t errors_ = 0;
+  Span suspect_{};  // a `{` whose `}` is indented otherwise: the first of the file
   std::size_t last_unknown_call_ = 0;  // offset + 1; 0: none yet
 };
 

@@ -19,9 +19,8 @@ void Builder::expression_item() {
 }
 
 bool Builder::resume_expression() {
-  const ast::Item* last = last_item();
-  if (last == nullptr || last->kind != ItemKind::expr) return false;
-  operands_.push_back(last->ref);
+  if (!after_operand()) return false;
+  operands_.push_back(items_.back().ref);
   return true;
 }
 
@@ -90,20 +89,22 @@ bool Builder::function_ahead() const {
   return false;
 }
 
-bool Builder::relation_only(const char* at) const {
-  if (at != item_start_) return false;
+bool Builder::after_operand() const {
+  const ast::Item* last = last_item();
+  return last != nullptr && last->kind == ItemKind::expr;
+}
+
+bool Builder::relation_only() const {
   const Frame& frame = frames_.back();
   const bool full_level = (frame.kind == FrameKind::paren && !frame.arguments) ||
                           (frame.kind == FrameKind::braces && frame.in_function);
-  const ast::Item* last = last_item();
-  return full_level && last != nullptr && last->kind == ItemKind::expr;
+  return full_level && after_operand();
 }
 
-bool Builder::relation_possible(const char* at, bool seen) const {
-  if (at != item_start_) return false;
+bool Builder::relation_possible(bool seen) const {
   const ast::Item* last = last_item();
   if (seen || (last != nullptr && last->kind == ItemKind::directive)) return true;
-  return frames_.back().arguments && last != nullptr && last->kind == ItemKind::expr;
+  return frames_.back().arguments && after_operand();
 }
 
 }  // namespace durer::grammar

@@ -1,7 +1,5 @@
 #include "grammar/builder.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -68,6 +66,8 @@ Builder::Builder(std::string_view text, Loc base, SymbolTable& symbols, const Ba
       last_end_(base) {
   // Upper bounds, not guesses: a mesh of 30 MB must not be copied while it grows.
   tree.exprs.reserve(balance.operands + balance.operators);
+  tree.expr_lists.reserve(balance.operands);
+  items_.reserve(balance.operands + balance.operators + balance.marks);
   frames_.push_back({});
   frames_.back().open = {base, 0};
 }
@@ -120,8 +120,8 @@ void Builder::rollback(const Checkpoint& to) {
   last_end_ = to.last_end;
 }
 
-Failure Builder::failure(const char* at, std::string_view expected) const {
-  return {at, expected, frames_.size() > 1 ? frames_.back().open : Span{}};
+Failure Builder::failure(const char* at, std::string_view expected, Failure::Kind kind) const {
+  return {at, expected, frames_.size() > 1 ? frames_.back().open : Span{}, kind};
 }
 
 void Builder::flaw(const char* item, const Failure& why) {
@@ -129,20 +129,13 @@ void Builder::flaw(const char* item, const Failure& why) {
 }
 
 void Builder::enter(const char* at) {
-  if (++depth_ <= ast::max_nesting) return;
-  Failure f = failure(at, "less nesting");
-  f.code = Code::limit;
-  f.final = true;
-  throw f;
+  if (++depth_ > ast::max_nesting) throw failure(at, {}, Failure::Kind::nesting);
 }
 
 // ---- expressions --------------------------------------------------------------------------------
 
 void Builder::too_deep(Span where) const {
-  Failure f = failure(begin_ + (where.begin - base_), "fewer operators");
-  f.code = Code::limit;
-  f.final = true;
-  throw f;
+  throw failure(begin_ + (where.begin - base_), {}, Failure::Kind::height);
 }
 
 ExprId Builder::pop() {

@@ -15,11 +15,15 @@ namespace durer::grammar {
 /// What stopped the grammar. Private to this folder: parse() turns it into a diagnostic, or, in a
 /// directive body, into a Flaw.
 struct Failure {
-  const char* at = nullptr;    // where something else was expected
-  std::string_view expected;   // "`)`"
-  Span opened{};               // the innermost open bracket or directive, if there is one
-  Code code = Code::syntax;
-  bool final = false;          // true: no recovery (limits)
+  enum class Kind : std::uint8_t { expected, vector, directive, nesting, height };
+  const char* at = nullptr;        // where something else was expected
+  std::string_view expected = {};  // "`)`"
+  Span opened{};                   // the innermost open bracket or directive, if there is one
+  Kind kind = Kind::expected;
+  bool after_operand = false;      // vector: an expression precedes the `<`
+
+  /// Limits are final: no directive body can recover from them.
+  [[nodiscard]] bool final() const { return kind == Kind::nesting || kind == Kind::height; }
 };
 
 /// True for the built-in functions whose result is text: nothing can be added to them.
@@ -51,9 +55,11 @@ class Builder {
   /// True if a `{` here opens the body of a function.
   [[nodiscard]] bool function_ahead() const;
   /// True if `<` here can be nothing but a relation: a full-level expression precedes it.
-  [[nodiscard]] bool relation_only(const char* at) const;
+  [[nodiscard]] bool relation_only() const;
   /// True if `<` here, which begins no vector, may be a relation or a stray mark.
-  [[nodiscard]] bool relation_possible(const char* at, bool directive_seen) const;
+  [[nodiscard]] bool relation_possible(bool directive_seen) const;
+  /// True if the item before this place is an expression.
+  [[nodiscard]] bool after_operand() const;
 
   // ---- recovery --------------------------------------------------------------------------------
 
@@ -70,10 +76,12 @@ class Builder {
   }
   void remember_bad_item(const char* at) { bad_items_.insert(at); }
   void flaw(const char* item, const Failure& why);
-  [[nodiscard]] Failure failure(const char* at, std::string_view expected) const;
+  [[nodiscard]] Failure failure(const char* at, std::string_view expected,
+                                Failure::Kind kind = Failure::Kind::expected) const;
   [[nodiscard]] Diagnostic diagnostic(const Failure& f) const;
 
   void start_item(const char* at) { item_start_ = at; }
+  [[nodiscard]] bool item_starts_at(const char* at) const { return at == item_start_; }
   /// Every token says where it ended, so that spans need not include white space.
   void token(std::string_view text) { last_end_ = span(text).end(); }
   void enter(const char* at);

@@ -79,8 +79,9 @@ struct for_head         : p::seq<hash<words::for_>, p::must<for_open>, gap, p::m
                                  p::must<closing>> {};
 struct macro_param      : identifier {};
 struct macro_params     : p::star<macro_param, gap, p::opt<comma>> {};
+struct params_end       : closing {};
 struct macro_head       : p::seq<hash<words::macro>, p::must<new_name>, gap, p::must<opening>, macro_params,
-                                 p::must<closing>> {};
+                                 p::must<params_end>> {};
 struct repeated         : p::seq<p::sor<while_head, for_head, macro_head>, body, p::must<block_end>> {};
 
 // ---- directives with operands --------------------------------------------------------------------
@@ -108,12 +109,22 @@ struct simple_directive : p::sor<simple_head<words::default_>, simple_head<words
 // ---- any directive -------------------------------------------------------------------------------
 
 struct terminator       : hash<words::end, words::else_, words::elseif, words::case_, words::range> {};
-struct unknown_word     : any_word {};
-struct unknown          : p::seq<p::not_at<terminator>, p::one<'#'>, gap, unknown_word, gap> {};
+// Outside of a body an unknown directive cannot be skipped: it is an error at once.
+struct skippable        : predicate<skippable> {
+  template <typename Input>
+  static bool test(Input& in, Builder& b) {
+    if (!b.in_body()) throw b.failure(in.current(), {}, Failure::Kind::directive);
+    return true;
+  }
+};
+struct unknown_word     : identifier {};
+struct unknown          : p::seq<p::one<'#'>, gap, p::at<identifier>, skippable, unknown_word, gap> {};
+// Before anything that is neither a directive nor a name a `#` means nothing: `look_at 0 # }`.
+struct lone_hash        : p::seq<p::not_at<terminator>, p::one<'#'>, gap> {};
 
 struct directive        : p::seq<p::at<p::one<'#'>>,
                                  p::sor<declare, conditional, repeated, switch_block, text_directive, file_directive,
-                                        version, simple_directive, undef, unknown>> {};
+                                        version, simple_directive, undef, unknown, lone_hash>> {};
 
 // ---- what is left of text that cannot be read ----------------------------------------------------
 
@@ -125,10 +136,12 @@ struct unread_token     : p::sor<word_text, number, string, p::seq<p::not_one<'#
 struct unread_text      : p::seq<p::star<gap, p::sor<deeper<unread_block>, unread_token>>, gap> {};
 struct unread_block     : p::seq<p::one<'#'>, gap, block_word, unread_text, p::one<'#'>, gap, one_word<words::end>, gap> {};
 // A malformed `#if` or `#macro` is dropped with all that belongs to it.
-struct unknown_block    : p::seq<p::at<p::one<'#'>, gap, block_word>, p::one<'#'>, gap, unknown_word, p::disable<unread_text>,
+struct unread_word      : any_word {};
+struct unknown_block    : p::seq<p::at<p::one<'#'>, gap, block_word>, p::one<'#'>, gap, unread_word, p::disable<unread_text>,
                                  p::disable<p::one<'#'>, gap, one_word<words::end>, gap>> {};
+struct unknown_head     : p::seq<p::not_at<terminator>, p::one<'#'>, gap, unread_word, gap> {};
 struct fallback_value   : p::seq<p::sor<p::seq<string>, number, name>, gap> {};
-struct fallback         : p::sor<attempt<any_declare_head>, unknown_block, unknown,
+struct fallback         : p::sor<attempt<any_declare_head>, unknown_block, unknown_head,
                                  expression_item<fallback_value>,
                                  p::seq<p::sor<word_item, comma_item, mark>, gap>> {};
 

@@ -50,7 +50,7 @@ struct attempt {
         return true;
       }
     } catch (const Failure& f) {
-      if (f.final) throw;
+      if (f.final()) throw;
       in.iterator() = at;
     }
     b.rollback(checkpoint);
@@ -151,7 +151,7 @@ struct resume           : predicate<resume> {
   template <typename Input>
   static bool test(Input&, Builder& b) { return b.resume_expression(); }
 };
-struct resumed_argument : p::seq<p::at<less, gap, additive_start>, resume, full_tails> {};
+struct resumed_argument : p::seq<p::at<less, gap, additive_start>, resume, relation_tail, full_tails> {};
 
 // clang-format on
 
@@ -164,7 +164,9 @@ struct vector {
             template <typename...> class Control, typename Input>
   static bool match(Input& in, Builder& b) {
     const char* const at = in.current();
-    if (in.empty() || *at != '<' || b.known_bad(at) || b.relation_only(at)) return false;
+    if (in.empty() || *at != '<' || b.known_bad(at)) return false;
+    const bool first = b.item_starts_at(at);
+    if (first && b.relation_only()) return false;
     const auto checkpoint = b.checkpoint();
     Failure why;
     bool seen = false;
@@ -173,16 +175,17 @@ struct vector {
         return true;
       }
       if (*at == '<' && at[1] == '=') return false;
-      why = b.failure(b.stopped(), "a component, `,` or `>`");
+      why = b.failure(b.stopped(), "a component, `,` or `>`", Failure::Kind::vector);
       seen = b.directive_seen();
     } catch (const Failure& f) {
-      if (f.final) throw;
+      if (f.final()) throw;
       in.iterator() = at;
       why = f;
     }
     b.rollback(checkpoint);
     b.remember_bad(at);
-    if (b.relation_possible(at, seen)) return false;
+    if (first && b.relation_possible(seen)) return false;
+    why.after_operand = why.kind == Failure::Kind::vector && first && b.after_operand();
     throw why;
   }
 };

@@ -26,7 +26,7 @@ struct recover {
       try {
         return Control<Rule>::template match<A, p::rewind_mode::required, Action, Control>(in, b);
       } catch (const Failure& why) {
-        if (why.final) throw;
+        if (why.final()) throw;
         in.iterator() = at;
         b.rollback(checkpoint);
         b.remember_bad_item(at);
@@ -63,7 +63,7 @@ struct entry            : p::seq<entry_open, gap, deeper<items<plain_mode>>, p::
 
 // ---- marks ---------------------------------------------------------------------------------------
 
-/// A bracket without partner, or a `#` without word.
+/// A bracket without partner.
 struct stray_bracket    : predicate<stray_bracket> {
   template <typename Input>
   static bool test(Input& in, Builder& b) {
@@ -75,8 +75,7 @@ struct stray_bracket    : predicate<stray_bracket> {
 struct two_marks        : p::sor<p::string<'<', '='>, p::string<'>', '='>, p::string<'!', '='>> {};
 struct one_mark         : p::one<',', ';', '+', '-', '*', '/', '=', '&', '|', '!', '?', ':', '.', '<', '>',
                                  '^', '@', '$', '%', '~', '`', '\'', '\\'> {};
-struct lone_hash        : p::seq<p::one<'#'>, p::not_at<gap, p::identifier_first>> {};
-struct any_mark         : p::sor<two_marks, one_mark, stray_bracket, lone_hash> {};
+struct any_mark         : p::sor<two_marks, one_mark, stray_bracket> {};
 struct mark             : any_mark {};
 
 struct mark_allowed     : predicate<mark_allowed> {

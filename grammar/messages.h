@@ -28,6 +28,7 @@ template <> inline constexpr auto expected<rules::bound>           = "a number";
 template <> inline constexpr auto expected<rules::condition>       = "`(` and a condition";
 template <> inline constexpr auto expected<rules::opening>         = "`(`";
 template <> inline constexpr auto expected<rules::closing>         = "`)`";
+template <> inline constexpr auto expected<rules::params_end>      = "a parameter name or `)`";
 template <> inline constexpr auto expected<rules::for_open>        = "`(`";
 template <> inline constexpr auto expected<rules::new_name>        = "a name that is not reserved";
 template <> inline constexpr auto expected<rules::new_lvalue>      = "a name that is not reserved";

@@ -35,7 +35,7 @@ std::unique_ptr<const ast::Tree> parse(const SourceMap& sources, FileId file, Sy
   const Loc base = sources.base(file);
   const std::size_t skipped = mark_size(text);
 
-  Balance balance(base, symbols, diagnostics);
+  Balance balance(text, base, symbols, diagnostics);
   if (!scan_file(text, skipped, base, balance, diagnostics)) return nullptr;
 
   auto tree = std::make_unique<ast::Tree>();

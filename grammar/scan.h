@@ -52,7 +52,7 @@ struct directive_hash   : p::seq<p::one<'#'>, gap, directive_word> {};
 struct open_bracket     : p::one<'{', '(', '['> {};
 struct close_bracket    : p::one<'}', ')', ']'> {};
 struct operator_mark    : p::one<'<', '+', '-', '*', '/', '=', '>', '&', '|', '?', '!', '.'> {};
-struct other_mark       : p::one<',', ';', '#', ':', '^', '@', '$', '%', '~', '`', '\'', '\\'> {};
+struct other_mark       : p::one<',', ';', ':', '^', '@', '$', '%', '~', '`', '\'', '\\'> {};
 
 struct rest             : p::star<p::any> {};
 struct open_string      : p::seq<p::one<'"'>, rest> {};
@@ -60,14 +60,15 @@ struct open_comment     : p::seq<p::string<'/', '*'>, rest> {};
 struct foreign_bytes    : p::plus<p::not_range<'\0', '\x7E'>> {};
 struct control_byte     : p::any {};
 
+struct lone_hash_mark   : p::one<'#'> {};
 struct lexeme           : p::sor<blank,
-                                 scan_name,
                                  p::seq<scan_number, p::opt<second_point>>,
-                                 line_comment, block_comment, open_comment,
-                                 operator_mark, open_bracket, close_bracket,
+                                 scan_name,
+                                 other_mark, open_bracket, close_bracket,
+                                 line_comment, block_comment, open_comment, operator_mark,
                                  scan_string, open_string,
-                                 p::seq<macro_hash, gap, p::opt<scan_macro_name>>, directive_hash,
-                                 other_mark, foreign_bytes, control_byte> {};
+                                 p::seq<macro_hash, gap, p::opt<scan_macro_name>>, directive_hash, lone_hash_mark,
+                                 foreign_bytes, control_byte> {};
 struct scan             : p::seq<p::star<lexeme>, p::eof> {};
 // clang-format on
 
@@ -137,6 +138,10 @@ struct on_scan<scan_macro_name> {
 template <>
 struct on_scan<operator_mark> {
   static void apply0(Scan& s) { ++s.balance.operators; }
+};
+template <>
+struct on_scan<other_mark> {
+  static void apply0(Scan& s) { ++s.balance.marks; }
 };
 template <>
 struct on_scan<open_bracket> {
