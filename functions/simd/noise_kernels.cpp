@@ -3,8 +3,6 @@
 #include "functions/noise_cell.h"
 #include "functions/simd/quad.h"
 
-// Quads never cross a call that is not inlined, so how they would be passed does not matter.
-#pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace durer::functions::simd {
 namespace {
