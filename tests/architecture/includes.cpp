@@ -29,7 +29,7 @@ const std::vector<Folder> house{
     {"image", {"base"}, {"image/image.h"}},
     {"tracer",
      {"base", "functions", "scene", "image"},
-     {"tracer/compile.h", "tracer/render.h"}},
+     {"tracer/compile.h", "tracer/object_queries.h", "tracer/render.h"}},
     {"cli",
      {"base", "functions", "scene", "grammar", "interpreter", "image", "tracer", "stdlib"},
      {}},
