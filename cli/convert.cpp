@@ -63,6 +63,7 @@ tracer::RenderOptions render_options(const Settings& s, const Window& window) {
   o.end_column = window.end_column;
   o.first_row = window.first_row;
   o.end_row = window.end_row;
+  o.alpha = s.alpha;
   return o;
 }
 

@@ -178,6 +178,8 @@ constexpr PrimitiveType describe_poly() {
   type.name = "poly";
   type.doc = "A surface of any degree from 2 to 35, by its terms.";
   type.params = poly_params;
+  type.open_ended = true;
+  type.keeps_bounds = true;
   type.validate = poly_problem;
   type.make_stores = [] { return make_type_stores<Poly>(); };
   type.place = place_poly;
