@@ -15,7 +15,7 @@
 #include "cli/progress.h"
 #include "cli/scene_file.h"
 #include "cli/terminal.h"
-#include "tracer/inspect.h"
+#include "tracer/object_queries.h"
 
 namespace durer::cli {
 namespace {
@@ -50,8 +50,8 @@ class Render {
     if (const auto unwritable = image::probe(output_.path)) return fail(console_, *unwritable);
 
     interpreter::Options options = interpreter_options(settings_);
-    tracer::Inspector inspector;
-    options.queries = &inspector;
+    const auto queries = tracer::make_object_queries();
+    options.queries = queries.get();
     options.stdlib_path = stdlib_folder();
     options.fallback_paths = installed_include_folders();
     options.on_debug = [&](std::string_view text) { console_.print(Stream::debug, text); };
