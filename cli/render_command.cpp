@@ -15,6 +15,7 @@
 #include "cli/progress.h"
 #include "cli/scene_file.h"
 #include "cli/terminal.h"
+#include "tracer/inspect.h"
 
 namespace durer::cli {
 namespace {
@@ -49,6 +50,8 @@ class Render {
     if (const auto unwritable = image::probe(output_.path)) return fail(console_, *unwritable);
 
     interpreter::Options options = interpreter_options(settings_);
+    tracer::Inspector inspector;
+    options.queries = &inspector;
     options.stdlib_path = stdlib_folder();
     options.fallback_paths = installed_include_folders();
     options.on_debug = [&](std::string_view text) { console_.print(Stream::debug, text); };

@@ -91,6 +91,12 @@ class Interpreter::Args {
     }
     return list_[used_++];
   }
+  /// Takes a reserved word if one stands here.
+  bool skip_word() {
+    if (!part_ || in_.peek().kind != Token::Kind::word) return false;
+    in_.next();
+    return true;
+  }
   void done() {
     if (!more()) return;
     in_.fail(Code::unexpected_item, call_.span,
@@ -235,6 +241,7 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
     }
     case w::file_exists: return number(find_file(to_bytes(args.text()), e.span, false) ? 1 : 0);
     case w::defined: {
+      if (args.skip_word()) return number(0);  // words of the language are not declared
       const ast::ExprId id = args.expression();
       return number(is_defined(tree, id) ? 1 : 0);
     }

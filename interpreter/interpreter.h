@@ -2,8 +2,10 @@
 // Its members are spread over files by subject; this header is private to the folder.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -205,6 +207,9 @@ class Interpreter {
   std::optional<Transform> read_transformation(const Token& token);
   Transform read_transform_block();
   Transform read_matrix(const Token& word);
+  std::size_t read_numbers(std::span<double> out);
+  void read_exponents(std::array<std::size_t, 3>& power, Span span);
+  scene::Object read_polynomial(std::uint32_t type, const Token& word);
   scene::ObjectId read_object(const Token& word);
   bool starts_object(const Token& token) const;
   scene::Object read_primitive(std::uint32_t type, const Token& word);

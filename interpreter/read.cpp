@@ -232,7 +232,7 @@ Num Interpreter::read_product(int length) {
 Num Interpreter::read_num(int length) {
   // The common case: one closed expression, nothing after it.
   const Token t = next();
-  if (t.kind == Token::Kind::expr) {
+  if (t.kind == Token::Kind::expr && !flatten_context()) {
     const ast::Expr& e = t.expression();
     const auto* sum = std::get_if<ast::Binary>(&e.node);
     const bool is_sum = sum != nullptr && (sum->op == ast::Op::add || sum->op == ast::Op::sub);
