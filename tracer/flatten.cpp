@@ -50,7 +50,7 @@ class SurfaceTable {
     key.append(reinterpret_cast<const char*>(&use.texture), sizeof use.texture);
     if (use.texture == none || use.transform.is_identity()) return;
     static_assert(sizeof(Affine) == 12 * sizeof(double), "an Affine is plain numbers");
-    key.append(reinterpret_cast<const char*>(&use.transform.forward), sizeof(Affine));
+    key.append(reinterpret_cast<const char*>(&use.transform->forward), sizeof(Affine));
   }
   static std::string key(const Surface& s) {
     std::string key(1, s.double_illuminate ? '1' : '0');
