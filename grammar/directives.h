@@ -118,13 +118,15 @@ struct skippable        : predicate<skippable> {
   }
 };
 struct unknown_word     : identifier {};
-struct unknown          : p::seq<p::one<'#'>, gap, p::at<identifier>, skippable, unknown_word, gap> {};
-// Before anything that is neither a directive nor a name a `#` means nothing: `look_at 0 # }`.
-struct lone_hash        : p::seq<p::not_at<terminator>, p::one<'#'>, gap> {};
+struct unknown          : p::seq<p::not_at<terminator>, p::one<'#'>, gap, skippable, unknown_word, gap> {};
+// Before a keyword that is no directive, or the end of a block, a `#` means nothing: `look_at 0 # }`.
+struct lone_hash        : p::seq<p::not_at<terminator>, p::one<'#'>, gap,
+                                 p::at<p::sor<keyword, p::one<'}', '#'>, p::eof>>> {};
 
+struct directive_ahead  : p::seq<p::not_at<lone_hash>, p::one<'#'>> {};
 struct directive        : p::seq<p::at<p::one<'#'>>,
                                  p::sor<declare, conditional, repeated, switch_block, text_directive, file_directive,
-                                        version, simple_directive, undef, unknown, lone_hash>> {};
+                                        version, simple_directive, undef, lone_hash, unknown>> {};
 
 // ---- what is left of text that cannot be read ----------------------------------------------------
 
