@@ -41,9 +41,9 @@ constexpr std::string_view notes =
     "names, else povray.ini in the working folder.\n";
 
 constexpr std::string_view exit_codes =
-    "0  the picture is complete (or help was printed)\n"
-    "1  an error; nothing was written\n"
-    "2  stopped by SIGINT or SIGTERM; nothing was written\n";
+    "  0  the picture is complete (or help was printed)\n"
+    "  1  an error; nothing was written\n"
+    "  2  stopped by SIGINT or SIGTERM; nothing was written\n";
 
 std::string switch_text(const Option& o) {
   if (o.letters.empty()) return {};
@@ -69,7 +69,8 @@ std::string indented(std::string_view text, std::size_t indent) {
     const std::size_t blank = text.find(' ');
     const std::string_view word = text.substr(0, blank);
     if (column + word.size() > 98 && column > indent) {
-      out += "\n" + std::string(indent, ' ');
+      out += '\n';
+      out.append(indent, ' ');
       column = indent;
     }
     if (column > indent) out += ' ';
@@ -104,7 +105,7 @@ std::string help_text() {
     }
   }
   out += "\nOther\n  --help\n  --version\n";
-  return out + fmt::format("\nExit codes\n  {}", indented(exit_codes, 2));
+  return out + fmt::format("\nExit codes\n{}", exit_codes);
 }
 
 std::string help_markdown() {

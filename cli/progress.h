@@ -10,7 +10,7 @@ namespace durer::cli {
 
 /// "2.41 M", "950", "12.0 k".
 [[nodiscard]] std::string count_text(double count);
-/// "7.3 s", "1:05", "2:03:04".
+/// "12 ms", "7.3 s", "1:05", "2:03:04".
 [[nodiscard]] std::string time_text(double seconds);
 /// "42 %, 1.20 M rays/s, 0:12 left"; without the time left before it can be guessed.
 [[nodiscard]] std::string progress_text(const tracer::Progress& progress);

@@ -19,12 +19,14 @@ bool same_word(std::string_view a, std::string_view b) {
   });
 }
 
-/// True if the blank-separated `words` hold `word`.
-bool holds(std::string_view words, std::string_view word) {
-  while (!words.empty()) {
-    const std::size_t blank = words.find(' ');
-    if (same_word(words.substr(0, blank), word)) return true;
-    words = blank == std::string_view::npos ? std::string_view() : words.substr(blank + 1);
+/// True if `word` ("jpeg", without a dot) is an extension of the format.
+bool is_extension(const Format& format, std::string_view word) {
+  if (same_word(format.extension.substr(1), word)) return true;
+  std::string_view list = format.spellings;  // ".jpeg .jpe"
+  while (!list.empty()) {
+    const std::size_t blank = list.find(' ');
+    if (same_word(list.substr(0, blank).substr(1), word)) return true;
+    list = blank == std::string_view::npos ? std::string_view() : list.substr(blank + 1);
   }
   return false;
 }
@@ -50,10 +52,7 @@ std::span<const Format* const> formats() {
 const Format* format_of(std::string_view path) {
   const std::size_t dot = path.find_last_of("./");
   if (dot == std::string_view::npos || path[dot] == '/') return nullptr;
-  const std::string_view extension = path.substr(dot);
-  return find_format([&](const Format& f) {
-    return same_word(f.extension, extension) || holds(f.spellings, extension);
-  });
+  return find_format([&](const Format& f) { return is_extension(f, path.substr(dot + 1)); });
 }
 
 const Format* format_named(std::string_view name) {
@@ -62,10 +61,8 @@ const Format* format_named(std::string_view name) {
       return f.letter != 0 && same_word({&f.letter, 1}, name);
     });
   }
-  const std::string extension = "." + std::string(name);
   return find_format([&](const Format& f) {
-    return same_word(f.name, name) || same_word(f.extension, extension) ||
-           holds(f.spellings, extension);
+    return same_word(f.name, name) || is_extension(f, name);
   });
 }
 

@@ -91,6 +91,12 @@ class Interpreter::Args {
     }
     return list_[used_++];
   }
+  /// Takes a reserved word if one stands here.
+  bool skip_word() {
+    if (!part_ || in_.peek().kind != Token::Kind::word) return false;
+    in_.next();
+    return true;
+  }
   void done() {
     if (!more()) return;
     in_.fail(Code::unexpected_item, call_.span,
@@ -235,6 +241,7 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
     }
     case w::file_exists: return number(find_file(to_bytes(args.text()), e.span, false) ? 1 : 0);
     case w::defined: {
+      if (args.skip_word()) return number(0);  // words of the language are not declared
       const ast::ExprId id = args.expression();
       return number(is_defined(tree, id) ? 1 : 0);
     }
@@ -294,13 +301,56 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
       return vector(v * std::cos(angle) + glm::cross(k, v) * std::sin(angle) +
                     k * glm::dot(k, v) * (1 - std::cos(angle)));
     }
-    case w::inside: case w::trace: case w::min_extent: case w::max_extent: case w::vturbulence:
+    case w::trace: {
+      const scene::ObjectId id = object_argument(tree, args.expression(), e.span);
+      const dvec3 from = args.vector();
+      const dvec3 along = args.vector();
+      const auto hit = options_.queries->trace(scene_, id, from, along);
+      if (args.more()) {
+        const ast::ExprId target = args.expression();
+        Value* v = lookup(tree, target, true);
+        const Num* n = v == nullptr ? nullptr : v->get<Num>();
+        if (n == nullptr || n->length != 3) {
+          fail(Code::wrong_kind, tree.exprs[target].span, "expected a variable that holds a vector",
+               "declare it first: `#declare Norm = <0,0,0>;`");
+        }
+        *v = Value(Num(hit ? hit->normal : dvec3(0.0)));
+      }
+      return vector(hit ? hit->point : dvec3(0.0));
+    }
+    case w::inside: {
+      const ast::ExprId object = args.expression();
+      const scene::ObjectId id = object_argument(tree, object, e.span);
+      const auto in = options_.queries->inside(scene_, id, args.vector());
+      if (!in) fail(Code::wrong_kind, tree.exprs[object].span, "this object is a surface without an inside");
+      return number(*in ? 1 : 0);
+    }
+    case w::min_extent: case w::max_extent: {
+      const scene::ObjectId id = object_argument(tree, args.expression(), e.span);
+      const Bounds3 box = options_.queries->extent(scene_, id);
+      return vector(function == w::min_extent ? box.lo : box.hi);
+    }
+    case w::vturbulence:
     case w::sum: case w::prod:
       not_supported(fmt::format("`{}`", name_of(function)), e.span);
     default:
       fail(Code::wrong_kind, e.span,
            fmt::format("expected a number or vector, found the string function `{}`", name_of(function)));
   }
+}
+
+/// The declared object that an argument names.
+scene::ObjectId Interpreter::object_argument(const ast::Tree& tree, ast::ExprId id, Span call) {
+  const Value* v = lookup(tree, id, true);
+  const auto* ref = v == nullptr ? nullptr : v->get<ObjectRef>();
+  if (ref == nullptr) {
+    fail(Code::wrong_kind, tree.exprs[id].span,
+         v == nullptr ? std::string("expected the name of a declared object")
+                      : fmt::format("expected an object, found {}", kind_name(*v)));
+  }
+  if (options_.queries == nullptr) not_supported("asking an object without a tracer", call);
+  if (const auto feature = options_.queries->unsupported(scene_, ref->id)) not_supported(*feature, call);
+  return ref->id;
 }
 
 // ---- strings --------------------------------------------------------------------------------------

@@ -43,13 +43,12 @@ void Interpreter::store(Value& target, Value value, bool is_element, const Array
 }
 
 void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Declare& node) {
+  (void)d;
   if (symbols_.reserved(node.name)) {
     fail(Code::unexpected_item, node.target,
          fmt::format("`{}` is a word of the language and cannot be declared", name_of(node.name)),
          "choose another name; names that start with a capital letter are always free");
   }
-  if (node.deprecated) not_supported("#declare deprecated", d.span);
-
   // The old value stays visible while the new one is worked out.
   Value value;
   bool semicolon = node.semicolon;
@@ -100,6 +99,24 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
                      name_of(node.name), kind_name(*target), kind_name(value)));
   }
   store(*target, std::move(value), false, nullptr, node.target);
+  slot.deprecated.reset();
+  if (node.deprecated) {
+    auto note = std::make_shared<Deprecation>();
+    note->once = node.deprecated_once;
+    note->message = node.deprecated_message != ast::none
+                        ? to_bytes(evaluate_text(tree, node.deprecated_message))
+                        : fmt::format("`{}` is deprecated", name_of(node.name));
+    slot.deprecated = std::move(note);
+  }
+}
+
+/// Warns when a deprecated name is used.
+void Interpreter::note_use(const Slot* slot, Span span) {
+  if (slot == nullptr || !slot->deprecated) return;
+  Deprecation& d = *slot->deprecated;
+  if (d.once && d.told) return;
+  d.told = true;
+  warn(Code::deprecated, span, d.message);
 }
 
 void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Undef& node) {

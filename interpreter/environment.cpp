@@ -76,6 +76,7 @@ bool Environment::undefine(SymbolId name) {
   Slot* s = find(name);
   if (s == nullptr) return false;
   unlink(*s);
+  s->deprecated.reset();
   // The slot is not reused before its scope ends: a reference parameter may still point at it.
   s->value = Value{};
   return true;

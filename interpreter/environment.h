@@ -15,8 +15,16 @@ namespace durer::interpreter {
 
 using grammar::SymbolId;
 
+/// A name that its author wants nobody to use any more (`#declare deprecated`).
+struct Deprecation {
+  std::string message;
+  bool once = false;
+  bool told = false;
+};
+
 struct Slot {
   Value value;
+  std::shared_ptr<Deprecation> deprecated;
   Slot* below = nullptr;  // the slot of the same name that this one hides
   SymbolId name = 0;
   std::uint32_t scope = 0;

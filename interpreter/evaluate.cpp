@@ -122,8 +122,10 @@ Num Interpreter::value_as_num(const Value& v, Span span, int length) {
 
 Num Interpreter::evaluate_name(const ast::Expr& e, SymbolId name, int length) {
   if (!symbols_.reserved(name)) {
-    const Value* v = Environment::value_of(env_.find(name));
+    Slot* slot = env_.find(name);
+    const Value* v = Environment::value_of(slot);
     if (v == nullptr) unknown_name(name, e.span);
+    note_use(slot, e.span);
     return value_as_num(*v, e.span, length);
   }
   const auto vector = [](double a, double b, double c) { return Num(dvec3(a, b, c)); };
@@ -160,8 +162,10 @@ Value* Interpreter::lookup(const ast::Tree& tree, ast::ExprId id, bool must_exis
   const ast::Expr& e = tree.exprs[id];
   if (const auto* name = std::get_if<ast::Name>(&e.node)) {
     if (symbols_.reserved(name->name)) return nullptr;
-    Value* v = Environment::value_of(env_.find(name->name));
+    Slot* slot = env_.find(name->name);
+    Value* v = Environment::value_of(slot);
     if (v == nullptr && must_exist) unknown_name(name->name, e.span);
+    note_use(slot, e.span);
     return v;
   }
   if (const auto array = array_of(e)) {

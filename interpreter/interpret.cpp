@@ -148,6 +148,10 @@ void Interpreter::top_level() {
         break;
       case w::global_settings: read_global_settings(t.span); break;
       case w::background: read_background(); break;
+      case w::default_:  // the way before 3.0, without `#`
+        warn(Code::deprecated, t.span, "`default` without `#`", "write `#default`");
+        default_block();
+        break;
       case w::max_trace_level: read_max_trace_level(t); break;
       case w::max_intersections: read_float(); break;
       case w::sky_sphere:

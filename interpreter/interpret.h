@@ -10,6 +10,7 @@
 
 #include "base/diagnostic.h"
 #include "base/source.h"
+#include "scene/object_queries.h"
 #include "scene/scene.h"
 #include "scene/type_info.h"
 
@@ -29,6 +30,8 @@ struct Options {
   bool clock_on = false;
   int version = 0;  // hundredths, from the command line; 0: not given
   bool output_alpha = false;
+  /// Answers `trace`, `inside` and the extents; without it they are errors.
+  scene::ObjectQueries* queries = nullptr;
   /// Receives #debug, #render and #statistics text as it is produced (no newline added).
   std::function<void(std::string_view)> on_debug;
 };

@@ -2,8 +2,10 @@
 // Its members are spread over files by subject; this header is private to the folder.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -142,6 +144,7 @@ class Interpreter {
   Value evaluate_value(const ast::Tree& tree, ast::ExprId id);
   [[nodiscard]] bool is_text(const ast::Tree& tree, ast::ExprId id);
   Text evaluate_text(const ast::Tree& tree, ast::ExprId id, bool file_name = false);
+  void note_use(const Slot* slot, Span span);
   Value* lookup(const ast::Tree& tree, ast::ExprId id, bool must_exist);
   Num read_components(const ast::Tree& tree, ast::Range components, Span span);
   [[noreturn]] void call_value(const Value& v, Span span);
@@ -156,6 +159,7 @@ class Interpreter {
                    const std::vector<ast::ExprId>& args, const ast::OpenGroup* open, int length);
   Text call_text_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
                          const std::vector<ast::ExprId>& args, const ast::OpenGroup* open);
+  scene::ObjectId object_argument(const ast::Tree& tree, ast::ExprId id, Span call);
   [[nodiscard]] static double days_since_2000();
   std::string format_number(double value, int width, int decimals);
 
@@ -180,7 +184,8 @@ class Interpreter {
   bool starts_number(const Token& token);
   [[nodiscard]] static bool starts_colour(const Token& token);
   Colour read_colour();                // with or without the word `color`
-  Num read_colour_num();
+  Num read_colour_num(bool strict = false);
+  void continue_colour(Num& c);
   vec3 read_rgb();                     // where only rgb is wanted
   Value read_value();                  // the right side of a declare, an argument, an element
   std::shared_ptr<Array> read_array(Span span);
@@ -202,6 +207,9 @@ class Interpreter {
   std::optional<Transform> read_transformation(const Token& token);
   Transform read_transform_block();
   Transform read_matrix(const Token& word);
+  std::size_t read_numbers(std::span<double> out);
+  void read_exponents(std::array<std::size_t, 3>& power, Span span);
+  scene::Object read_polynomial(std::uint32_t type, const Token& word);
   scene::ObjectId read_object(const Token& word);
   bool starts_object(const Token& token) const;
   scene::Object read_primitive(std::uint32_t type, const Token& word);
@@ -231,7 +239,6 @@ class Interpreter {
   [[nodiscard]] bool is_warp_word(SymbolId word) const;
   void skip_to(Token::Kind last);
   void check_map(const ColourMap& map);
-  Colour continue_colour(Colour c);
   bool pigment_modifier(scene::Pigment& pigment, const Token& token);
   void read_colour_list(scene::Pigment& pigment, const scene::PatternInfo& info);
   ColourMap read_colour_map();

@@ -94,7 +94,12 @@ scene::ObjectId Interpreter::read_object(const Token& word) {
                                                                 : scene::NodeKind::difference;
     return read_object_modifiers(read_csg(kind, word), word, open.span);
   }
-  if (const auto it = primitive_words_.find(word.word); it != primitive_words_.end()) {
+  if (word.word == w::poly || word.word == w::cubic || word.word == w::quartic ||
+      word.word == w::polynomial) {
+    if (const auto it = primitive_words_.find(w::poly); it != primitive_words_.end()) {
+      return read_object_modifiers(read_polynomial(it->second, word), word, open.span);
+    }
+  } else if (const auto it = primitive_words_.find(word.word); it != primitive_words_.end()) {
     return read_object_modifiers(read_primitive(it->second, word), word, open.span);
   }
   scene::Object node;
@@ -175,6 +180,91 @@ scene::Object Interpreter::read_primitive(std::uint32_t type, const Token& word)
   o.origin = origin(word.span);
   o.args = read_operands(*registry_.primitives[type], word);
   return o;
+}
+
+/// `poly { n, <…> }`, `cubic { <…> }`, `quartic { <…> }` and `polynomial { n, xyz(i,j,k): c, … }`
+/// (objects §12.3).
+scene::Object Interpreter::read_polynomial(std::uint32_t type, const Token& word) {
+  scene::Object o;
+  o.kind = scene::NodeKind::primitive;
+  o.type = type;
+  o.origin = origin(word.span);
+  double degree = word.word == w::cubic ? 3 : 4;
+  if (word.word == w::poly || word.word == w::polynomial) {
+    degree = std::trunc(read_scalar("the degree"));
+    optional_comma();
+  }
+  if (!(degree >= 2 && degree <= 35)) {
+    fail(Code::out_of_range, word.span, "the degree of a polynomial surface is 2 to 35");
+  }
+  const auto n = static_cast<std::size_t>(degree);
+  std::vector<double> terms((n + 1) * (n + 2) * (n + 3) / 6);
+  if (word.word == w::polynomial) {
+    while (accept(w::xyz)) {
+      std::array<std::size_t, 3> power{};
+      read_exponents(power, word.span);
+      if (power[0] + power[1] + power[2] > n) {
+        fail(Code::out_of_range, last_span_, fmt::format("these exponents add up to more than {}", n));
+      }
+      const Token colon = next();
+      if (!colon.is_punct(':')) unexpected(colon, "`:` and a factor");
+      const std::size_t a = n - power[0];
+      const std::size_t b = a - power[1];
+      terms[(a + 2) * (a + 1) * a / 6 + (b + 1) * b / 2 + (b - power[2])] = read_scalar("factor");
+      optional_comma();
+    }
+  } else {
+    const std::size_t found = read_numbers(terms);
+    if (found != terms.size()) {
+      fail(Code::missing_argument, word.span,
+           fmt::format("a surface of degree {} takes {} numbers in `< >`, here are {}", n, terms.size(), found));
+    }
+  }
+  o.args.push_back(degree);
+  o.args.insert(o.args.end(), terms.begin(), terms.end());
+  return o;
+}
+
+/// `(i, j, k)` after `xyz`.
+void Interpreter::read_exponents(std::array<std::size_t, 3>& power, Span span) {
+  const Token t = next();
+  last_span_ = t.span;
+  const auto* g = t.node<ast::OpenGroup>();
+  if (g == nullptr || g->kind != ast::OpenGroup::Kind::paren) unexpected(t, "`(` and three exponents");
+  const Nested part(*this, *t.tree, g->items);
+  for (std::size_t& p : power) {
+    const double v = read_scalar("exponent");
+    if (!(v >= 0 && v <= 35)) fail(Code::out_of_range, span, "exponents are 0 to 35");
+    p = static_cast<std::size_t>(v);
+    optional_comma();
+  }
+}
+
+/// A long vector `< … >` into `out`; returns how many numbers there were.
+std::size_t Interpreter::read_numbers(std::span<double> out) {
+  const Token t = next();
+  std::size_t n = 0;
+  const auto take = [&] {
+    while (peek().kind != Token::Kind::end) {
+      const double x = read_scalar("number");
+      if (n < out.size()) out[n] = x;
+      ++n;
+      optional_comma();
+    }
+  };
+  if (const auto* v = t.node<ast::Vector>(); v != nullptr) {
+    for (std::uint32_t i = 0; i < v->components.count; ++i) {
+      const Nested part(*this, *t.tree, t.tree->expr_lists[v->components.first + i]);
+      take();
+    }
+  } else if (const auto* g = t.node<ast::OpenGroup>();
+             g != nullptr && g->kind == ast::OpenGroup::Kind::vector) {
+    const Nested part(*this, *t.tree, g->items);
+    take();
+  } else {
+    unexpected(t, "`<` and a list of numbers");
+  }
+  return n;
 }
 
 scene::Object Interpreter::read_csg(scene::NodeKind kind, const Token& word) {
@@ -373,25 +463,8 @@ std::optional<Transform> Interpreter::read_transformation(const Token& t) {
 }
 
 Transform Interpreter::read_matrix(const Token& word) {
-  const Token t = next();
   std::array<double, 12> m{};
-  std::size_t n = 0;
-  if (const auto* v = t.node<ast::Vector>(); v != nullptr) {
-    for (std::uint32_t i = 0; i < v->components.count; ++i) {
-      const Nested part(*this, *t.tree, t.tree->expr_lists[v->components.first + i]);
-      while (peek().kind != Token::Kind::end && n < 12) {
-        m[n++] = read_scalar("an element of the matrix");
-        optional_comma();
-      }
-    }
-  } else if (const auto* g = t.node<ast::OpenGroup>();
-             g != nullptr && g->kind == ast::OpenGroup::Kind::vector) {
-    const Nested part(*this, *t.tree, g->items);
-    while (peek().kind != Token::Kind::end && n < 12) {
-      m[n++] = read_scalar("an element of the matrix");
-      optional_comma();
-    }
-  }
+  const std::size_t n = read_numbers(m);
   if (n != 12) {
     fail(Code::missing_argument, word.span, fmt::format("`matrix` takes 12 numbers in `< >`, here are {}", n));
   }

@@ -232,7 +232,7 @@ Num Interpreter::read_product(int length) {
 Num Interpreter::read_num(int length) {
   // The common case: one closed expression, nothing after it.
   const Token t = next();
-  if (t.kind == Token::Kind::expr) {
+  if (t.kind == Token::Kind::expr && !flatten_context()) {
     const ast::Expr& e = t.expression();
     const auto* sum = std::get_if<ast::Binary>(&e.node);
     const bool is_sum = sum != nullptr && (sum->op == ast::Op::add || sum->op == ast::Op::sub);
@@ -387,7 +387,20 @@ int component_of(SymbolId word) {
 }
 }  // namespace
 
-Num Interpreter::read_colour_num() {
+/// The single-component words that may follow any colour: `C filter .5 red 1`.
+void Interpreter::continue_colour(Num& c) {
+  for (;;) {
+    const Token raw = raw_next();
+    const Token word = raw.kind == Token::Kind::end && frames_.size() > declare_depth_ ? peek() : raw;
+    const int slot = word.kind == Token::Kind::word ? component_of(word.word) : -1;
+    if (slot < 0) break;
+    next();
+    c.v[static_cast<std::size_t>(slot)] = read_float();
+  }
+}
+
+/// `strict`: a bare expression must be a colour, not just any vector.
+Num Interpreter::read_colour_num(bool strict) {
   Num c;
   c.length = 5;
   const auto keyword = [&] { return accept(w::color) || accept(w::colour); };
@@ -433,18 +446,15 @@ Num Interpreter::read_colour_num() {
       }
     }
   } else if (t.kind == Token::Kind::expr) {
-    const Num n = read_full(5);
+    const Num n = read_full(strict ? 1 : 5);
+    if (strict && n.length != 5) {
+      fail(Code::wrong_kind, t.span, fmt::format("expected a colour, found a {}", n.length == 1 ? "number" : "vector"),
+           "write `rgb` before it");
+    }
     c.v = n.v;
     for (auto i = static_cast<std::size_t>(n.length); i < 5; ++i) c.v[i] = 0;
   }
-  for (;;) {
-    const Token raw = raw_next();
-    const Token word = raw.kind == Token::Kind::end && frames_.size() > declare_depth_ ? peek() : raw;
-    const int slot = word.kind == Token::Kind::word ? component_of(word.word) : -1;
-    if (slot < 0) break;
-    next();
-    c.v[static_cast<std::size_t>(slot)] = read_float();
-  }
+  continue_colour(c);
   return c;
 }
 

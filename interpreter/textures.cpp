@@ -195,16 +195,7 @@ void Interpreter::read_pigment_body(scene::Pigment& p, Token::Kind last) {
       }
     }
     if (starts_colour(t) || t.kind == Token::Kind::expr || t.is_punct('-')) {
-      if (t.kind != Token::Kind::word) {
-        const Num n = read_full(5);
-        if (n.length != 5 || (t.node<ast::Number>() != nullptr)) {
-          fail(Code::wrong_kind, t.span, "expected a colour, found a number or vector",
-               "write `rgb` before it");
-        }
-        p.colour = n.colour();
-      } else {
-        p.colour = read_colour();
-      }
+      p.colour = read_colour_num(t.kind != Token::Kind::word).colour();
       p.pattern = scene::none;
       p.entries.clear();
       p.children.clear();
@@ -361,8 +352,9 @@ ColourMap Interpreter::read_colour_map() {
         map.entries.push_back(entry);
         entry = second;
       } else if (n.length == 5) {
-        entry.colour = n.colour();
-        entry.colour = continue_colour(entry.colour);
+        Num colour = n;
+        continue_colour(colour);
+        entry.colour = colour.colour();
       } else {
         fail(Code::wrong_kind, c.span, "expected a colour, found a vector", "write `rgb` before it");
       }
@@ -382,15 +374,6 @@ ColourMap Interpreter::read_colour_map() {
 void Interpreter::check_map(const ColourMap& map) {
   if (map.entries.empty()) fail(Code::missing_argument, peek().span, "a map needs at least one entry");
   if (map.entries.size() > 256) fail(Code::limit, peek().span, "a map has at most 256 entries");
-}
-
-/// `filter .5` and the like after a colour expression.
-Colour Interpreter::continue_colour(Colour c) {
-  while (peek().is(w::filter) || peek().is(w::transmit)) {
-    const bool filter = next().is(w::filter);
-    (filter ? c.filter : c.transmit) = static_cast<float>(read_float());
-  }
-  return c;
 }
 
 ColourMap Interpreter::read_pigment_map() {

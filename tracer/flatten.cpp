@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "tracer/primitives/store.h"
+#include "tracer/primitives/registry.h"
 
 namespace durer::tracer {
 namespace {
@@ -68,16 +69,25 @@ class Flattener {
       : scene_(scene), diagnostics_(diagnostics), surfaces_(flat_.surfaces) {}
 
   Flat run() {
-    for (const scene::Root& root : scene_.roots) {
-      default_texture_ = root.default_texture;
-      if (const std::uint32_t node = visit(root.object, {}); node != none) {
-        flat_.entries.push_back({node, entry_interior_});
-      }
-    }
+    for (const scene::Root& root : scene_.roots) add_root(root, {});
+    return std::move(flat_);
+  }
+
+  Flat run(scene::ObjectId object) {
+    Context alone;
+    alone.flags_count = false;
+    add_root({object, none}, alone);
     return std::move(flat_);
   }
 
  private:
+  void add_root(const scene::Root& root, const Context& around) {
+    default_texture_ = root.default_texture;
+    if (const std::uint32_t node = visit(root.object, around); node != none) {
+      flat_.entries.push_back({node, entry_interior_});
+    }
+  }
+
   /// The node made for the object; none if it has fallen apart, or has no geometry.
   std::uint32_t visit(scene::ObjectId id, const Context& around) {
     const Object& object = scene_.objects[id];
@@ -119,7 +129,9 @@ class Flattener {
       flat_.interiors.push_back({object.interior, false});
     }
     flat_.interiors[own.interior].hollow = own.hollow.value_or(false);
-    if (!object.bounds.empty() && object.kind != NodeKind::primitive) add_gate(object, around, own);
+    const bool cut_by_bounds = object.kind != NodeKind::primitive ||
+                               primitive_infos()[object.type]->keeps_bounds;
+    if (!object.bounds.empty() && cut_by_bounds) add_gate(object, around, own);
     return own;
   }
 
@@ -239,6 +251,10 @@ class Flattener {
 
 Flat flatten(const scene::Scene& scene, Diagnostics& diagnostics) {
   return Flattener(scene, diagnostics).run();
+}
+
+Flat flatten_object(const scene::Scene& scene, scene::ObjectId object, Diagnostics& diagnostics) {
+  return Flattener(scene, diagnostics).run(object);
 }
 
 }  // namespace durer::tracer

@@ -62,4 +62,8 @@ struct Flat {
 /// Reports every object that cannot be rendered; the result is then incomplete.
 [[nodiscard]] Flat flatten(const scene::Scene& scene, Diagnostics& diagnostics);
 
+/// The same for one object of the scene, as if it stood alone and could be seen by everything.
+[[nodiscard]] Flat flatten_object(const scene::Scene& scene, scene::ObjectId object,
+                                  Diagnostics& diagnostics);
+
 }  // namespace durer::tracer

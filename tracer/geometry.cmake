@@ -1,9 +1,11 @@
 # Shapes, CSG and hierarchy: durer::geometry.
 durer_entries(primitive_sources primitives/primitives.def primitives)
 add_library(durer_geometry STATIC
+  extent.cpp
   flatten.cpp
   geometry.cpp
   geometry_build.cpp
+  object_queries.cpp
   accel/box_tree.cpp
   accel/embree.cpp
   accel/linear.cpp

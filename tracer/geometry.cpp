@@ -1,7 +1,6 @@
 #include "tracer/geometry.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -19,6 +18,12 @@ std::uint8_t mask_of(RayKind kind) {
   return 0;
 }
 
+std::size_t error_count(const Diagnostics& diagnostics) {
+  return static_cast<std::size_t>(
+      std::count_if(diagnostics.all().begin(), diagnostics.all().end(),
+                    [](const Diagnostic& d) { return d.severity == Severity::error; }));
+}
+
 }  // namespace
 
 struct GeometryScratch {
@@ -34,14 +39,20 @@ Geometry::~Geometry() = default;
 
 std::optional<Geometry> Geometry::build(const scene::Scene& scene, Diagnostics& diagnostics,
                                         Hierarchy hierarchy) {
-  auto state = std::make_unique<State>();
-  const std::size_t reported = diagnostics.all().size();
-  state->build(scene, diagnostics);
-  for (std::size_t i = reported; i < diagnostics.all().size(); ++i) {
-    if (diagnostics.all()[i].severity == Severity::error) return std::nullopt;
-  }
-  state->build_accel(hierarchy);
-  return Geometry(std::move(state));
+  const std::size_t errors = error_count(diagnostics);
+  Flat flat = flatten(scene, diagnostics);
+  if (error_count(diagnostics) > errors) return std::nullopt;
+  return Geometry(std::make_unique<State>(std::move(flat), hierarchy));
+}
+
+std::optional<Geometry> Geometry::build_object(const scene::Scene& scene, scene::ObjectId object,
+                                               Diagnostics& diagnostics) {
+  const std::size_t errors = error_count(diagnostics);
+  Flat flat = flatten_object(scene, object, diagnostics);
+  if (error_count(diagnostics) > errors) return std::nullopt;
+  const bool few = flat.entries.size() < 16;  // then setting up Embree costs more than it saves
+  return Geometry(
+      std::make_unique<State>(std::move(flat), few ? Hierarchy::linear : Hierarchy::embree));
 }
 
 std::span<const Leaf> Geometry::leaves() const { return state_->leaves; }
@@ -72,7 +83,7 @@ bool Geometry::closest(const Ray& ray, double t_from, double t_to, RayKind kind,
 
 bool Geometry::occluded(const Ray& ray, double t_from, double t_to,
                         GeometryScratch& scratch) const {
-  const double after = std::nextafter(t_from, std::numeric_limits<double>::infinity());
+  const double after = t_from * (1 + std::numeric_limits<double>::epsilon());
   RayQuery query{ray, after, t_to, blocks_light, {}, &state_->parts, &scratch.sweep};
   return state_->accel->any(query);
 }

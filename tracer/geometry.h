@@ -71,6 +71,11 @@ class Geometry {
                                                      Diagnostics& diagnostics,
                                                      Hierarchy hierarchy = Hierarchy::embree);
 
+  /// One object of the scene alone, visible to every kind of ray.
+  [[nodiscard]] static std::optional<Geometry> build_object(const scene::Scene& scene,
+                                                            scene::ObjectId object,
+                                                            Diagnostics& diagnostics);
+
   [[nodiscard]] std::span<const Leaf> leaves() const;
   [[nodiscard]] std::span<const Surface> surfaces() const;
   [[nodiscard]] std::span<const InteriorInstance> interiors() const;

@@ -1,14 +1,12 @@
 #include "tracer/csg/build.h"
 #include "tracer/csg/sweep.h"
-#include "tracer/flatten.h"
 #include "tracer/geometry_state.h"
 #include "tracer/primitives/describe.h"
 #include "tracer/primitives/registry.h"
 
 namespace durer::tracer {
 
-void Geometry::State::build(const scene::Scene& scene, Diagnostics& diagnostics) {
-  Flat flat = flatten(scene, diagnostics);
+Geometry::State::State(Flat flat, Hierarchy hierarchy) {
   for (const PrimitiveType* type : primitive_types()) {
     lone.push_back(type->make_stores());
     operands.push_back(type->make_stores());
@@ -24,6 +22,7 @@ void Geometry::State::build(const scene::Scene& scene, Diagnostics& diagnostics)
   surfaces = std::move(flat.surfaces);
   interiors = std::move(flat.interiors);
   lights = std::move(flat.lights);
+  build_accel(hierarchy);
 }
 
 void Geometry::State::add_gates(const Flat& flat) {

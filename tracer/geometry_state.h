@@ -7,6 +7,7 @@
 #include "tracer/accel/accel.h"
 #include "tracer/accel/box_tree.h"
 #include "tracer/csg/solid_targets.h"
+#include "tracer/flatten.h"
 #include "tracer/geometry.h"
 #include "tracer/primitives/typed_store.h"
 
@@ -39,12 +40,12 @@ struct Geometry::State {
   std::vector<std::uint32_t> endless_bodies;  // … and the others
   bool translucent_shadows = true;
 
-  void build(const scene::Scene& scene, Diagnostics& diagnostics);
-  void build_accel(Hierarchy hierarchy);
+  State(Flat flat, Hierarchy hierarchy);
   [[nodiscard]] bool body_contains(const Body& body, dvec3 p, SweepState& sweep) const;
   void set_opaque(const std::vector<bool>& by_surface);
 
  private:
+  void build_accel(Hierarchy hierarchy);
   void add_gates(const Flat& flat);
   void add_entry(const Flat& flat, const FlatEntry& entry);
   std::optional<ShapeRef> place(std::vector<TypeStores>& stores, const FlatLeaf& part);

@@ -101,7 +101,8 @@ void for_every_subject(Check&& check) {
     REQUIRE(samples.size() >= 2);
     for (const auto& args : samples) {
       CAPTURE(args);
-      REQUIRE(args.size() == type->arg_count());
+      REQUIRE((type->open_ended ? args.size() >= type->arg_count()
+                              : args.size() == type->arg_count()));
       if (type->validate != nullptr) CHECK_FALSE(type->validate(args).has_value());
       const auto all = placements();
       for (std::size_t i = 0; i < all.size(); ++i) {
@@ -211,7 +212,7 @@ TEST_CASE("primitives: the nearest hit is the first visible crossing", "[conform
       const RayQuery found = s.nearest(ray, t_from, t_to);
       REQUIRE((found.found.store != nullptr) == expected.has_value());
       if (!expected) continue;
-      REQUIRE(found.t_to == expected->t);
+      REQUIRE(found.t_to == Approx(expected->t).epsilon(1e-12));
       REQUIRE(found.found.part == expected->part);
     }
   });

@@ -2,7 +2,7 @@
 #version 3.7;
 global_settings { assumed_gamma 1 }
 
-camera { orthographic location <0, 0, -10> look_at 0 right 8*x up 6*y }
+camera { orthographic location <0.013, 0.007, -10> look_at <0.013, 0.007, 0> right 8*x up 6*y }  // off the grid: no pixel on an edge
 light_source { <-6, 8, -12> rgb 1 }
 background { rgb <0.2, 0.25, 0.35> }
 #default { finish { ambient 0.25 } }

@@ -2,7 +2,7 @@
 #version 3.7;
 global_settings { assumed_gamma 1 }
 
-camera { orthographic location <0, 0, -10> look_at 0 right 8*x up 6*y }
+camera { orthographic location <0.013, 0.007, -10> look_at <0.013, 0.007, 0> right 8*x up 6*y }  // off the grid: no pixel on an edge
 light_source { <-6, 8, -12> rgb 1 }
 background { rgb <0.2, 0.25, 0.35> }
 #default { finish { ambient 0.25 } }
@@ -16,6 +16,6 @@ Open(2) rotate 25*z Close(<0, 1.2, 0>, <0.3, 0.7, 0.4>)
   sphere { <2, 1.2, 0>, 0.5 }
   sphere { <2.6, 1.2, 0>, 0.5 }
 #if (Joined) pigment { rgb <0.4, 0.5, 0.9> } } #end
-#macro Pair() <-1.5, -1.4, 0>, <1.5, -1 #end
-box { Pair(), 1> pigment { rgb <#if (Joined) 0.8, #else 0.1, #end 0.7, 0.3> } }
+#macro Pair() <-1.5, -1.4, 0>, <1.5, -1, 1> #end
+box { Pair() pigment { rgb <#if (Joined) 0.8, #else 0.1, #end 0.7, 0.3> } }
 cylinder { -2.5*y - 3*x, #if (Joined) -2.5*y #else 5 #end + 3*x, 0.2 pigment { rgb <0.8, 0.4, 0.8> } }

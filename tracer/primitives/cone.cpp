@@ -25,7 +25,7 @@ struct Cone {
   static std::vector<Cone> samples() {
     return {{dvec3(0.0), 1, {0, 2, 0}, 0.3, false}, {{1, 1, 1}, 0, {3, 0, 2}, 1, false},
             {{0, 0, -1}, 0.5, {0, 0, 1}, 2, true},  {{0, -1, 0}, 1, {0, 1, 0}, -0.5, false},
-            {{0, -1, 0}, 1, {0, 1, 0}, 0.99, false}};
+            {{0, -1, 0}, 1, {0, 1, 0}, 0.99, false}, {{0, -1, 0}, -1, {0, 1, 0}, -0.5, false}};
   }
 
   [[nodiscard]] std::optional<std::string> problem() const {
@@ -34,12 +34,13 @@ struct Cone {
   }
 
   [[nodiscard]] std::optional<Framed<Tube>> shape() const {
-    const bool negative = base_radius <= 0 && cap_radius <= 0;
     dvec3 large = base;
     dvec3 small = cap;
-    double r_large = negative ? -base_radius : base_radius;
-    double r_small = negative ? -cap_radius : cap_radius;
+    double r_large = base_radius;
+    double r_small = cap_radius;
     if (r_small > r_large) std::swap(large, small), std::swap(r_large, r_small);
+    // The oracle makes a cylinder of two negative radii: its taper test compares signed numbers.
+    if (r_large < 0) r_small = r_large = -r_large;
     if (!(r_large > 0)) return std::nullopt;
     const double length = glm::distance(small, large);
     return Framed<Tube>{{(r_small - r_large) / r_large, open},

@@ -56,28 +56,34 @@ struct Sphere {
   };
   // Measured from the point nearest the centre: a small distant ball otherwise loses its
   // discriminant to cancellation [Haines et al., Ray Tracing Gems 2019, ch. 7].
-  [[nodiscard]] std::optional<Chord> chord(const Ray& ray) const {
-    const double d2 = glm::dot(ray.d, ray.d);
-    const double middle = glm::dot(center - ray.o, ray.d) / d2;
+  [[nodiscard]] std::optional<Chord> chord(const Ray& ray, double per_d2) const {
+    const double middle = glm::dot(center - ray.o, ray.d) * per_d2;
     const dvec3 miss = ray.at(middle) - center;
     const double h2 = radius * radius - glm::dot(miss, miss);
     if (!(h2 > epsilon)) return std::nullopt;  // tangent rays miss; also stops NaN
-    return Chord{middle, std::sqrt(h2 / d2)};
+    return Chord{middle, std::sqrt(h2 * per_d2)};
   }
-
-  void crossings(const Ray& ray, Crossings& out) const {
-    const auto c = chord(ray);
-    if (!c) return;
-    out.push_back({.t = c->middle - c->half, .side = Side::enter});
-    out.push_back({.t = c->middle + c->half, .side = Side::exit});
-  }
-  [[nodiscard]] std::optional<Nearest> nearest(const Ray& ray, double t_from, double t_to) const {
-    const auto c = chord(ray);
+  [[nodiscard]] static std::optional<Nearest> first(const std::optional<Chord>& c, double t_from,
+                                                    double t_to) {
     if (!c) return std::nullopt;
     double t = c->middle - c->half;
     if (t < t_from) t = c->middle + c->half;
     if (!(t >= t_from && t < t_to)) return std::nullopt;
     return Nearest{t, 0};
+  }
+
+  void crossings(const Ray& ray, Crossings& out) const {
+    const auto c = chord(ray, 1 / glm::dot(ray.d, ray.d));
+    if (!c) return;
+    out.push_back({.t = c->middle - c->half, .side = Side::enter});
+    out.push_back({.t = c->middle + c->half, .side = Side::exit});
+  }
+  [[nodiscard]] std::optional<Nearest> nearest(const Ray& ray, double t_from, double t_to) const {
+    return first(chord(ray, 1 / glm::dot(ray.d, ray.d)), t_from, t_to);
+  }
+  [[nodiscard]] std::optional<Nearest> nearest_of_unit(const Ray& ray, double t_from,
+                                                       double t_to) const {
+    return first(chord(ray, 1), t_from, t_to);
   }
 };
 

@@ -9,6 +9,7 @@
 //   Bounds3 inside_bounds() const;                        if it is not bounds()
 //   std::optional<Shape> moved(const Transform&) const;   the shape in another space, if it has one
 //   Shape flipped() const;                                the inverse, if it is such a shape too
+//   … nearest_of_unit(same as nearest) const;             faster where |d| = 1
 //   static constexpr bool convex = true;
 //   static constexpr double far = …;                      greatest depth at which it is seen
 #pragma once
@@ -59,6 +60,13 @@ template <Shape S>
 struct Baked {
   S shape;
 
+  [[nodiscard]] std::optional<Nearest> nearest(const Ray& ray, double t_from, double t_to) const {
+    if constexpr (requires { shape.nearest_of_unit(ray, t_from, t_to); }) {
+      return shape.nearest_of_unit(ray, t_from, t_to);
+    } else {
+      return shape.nearest(ray, t_from, t_to);
+    }
+  }
   [[nodiscard]] const Ray& to_object(const Ray& ray) const { return ray; }
   [[nodiscard]] dvec3 to_object(dvec3 p) const { return p; }
   [[nodiscard]] dvec3 normal_to_world(dvec3 n) const { return n; }
@@ -72,6 +80,9 @@ struct Placed {
   S shape;
   Affine to_shape;
 
+  [[nodiscard]] std::optional<Nearest> nearest(const Ray& ray, double t_from, double t_to) const {
+    return shape.nearest(to_object(ray), t_from, t_to);
+  }
   [[nodiscard]] Ray to_object(const Ray& ray) const {
     return {to_shape.point(ray.o), to_shape.vector(ray.d)};
   }
@@ -138,8 +149,7 @@ class TypedStore final : public Store {
     const Item& item = self.items_[index];
     double t_to = query.t_to;
     if constexpr (requires { S::far; }) t_to = t_to < S::far ? t_to : S::far;
-    const std::optional<Nearest> hit =
-        item.shape.nearest(item.to_object(query.ray), query.t_from, t_to);
+    const std::optional<Nearest> hit = item.nearest(query.ray, query.t_from, t_to);
     if (!hit) return;
     const Tag& tag = self.tags[index];
     if ((tag.mask & query.mask) == 0) return;

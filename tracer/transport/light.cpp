@@ -51,35 +51,38 @@ vec3 Tracer::shade(const View& view, const LayerPoint& layer, const Light& light
   return sum;
 }
 
+// Where nothing is translucent any blocker will do; otherwise the nearest ones are asked in turn,
+// which costs a lit point no more.
 vec3 Tracer::shadowed(const Light& light, const Incidence& in, dvec3 p,
                       const Containment& inside) {
   if (light.shadowless || in.distance <= 2 * t_shadow) return in.colour;
+  if (translucent_shadows_) return walk_shadow(in, p, inside);
   ++scratch_->rays;
-  const Ray ray{p, in.l};
-  if (scene_->geometry.occluded(ray, t_shadow, in.distance - t_shadow, *scratch_->geometry)) {
-    return vec3(0.0F);
-  }
-  return translucent_shadows_ ? walk_shadow(in, p, inside) : in.colour;
+  const bool blocked = scene_->geometry.occluded({p, in.l}, t_shadow, in.distance - t_shadow,
+                                                 *scratch_->geometry);
+  return blocked ? vec3(0.0F) : in.colour;
 }
 
-// From one translucent surface to the next; surfaces nearer than t_shadow behind each other count
-// as one.
+// From one surface to the next; surfaces nearer than t_shadow behind each other count as one.
 vec3 Tracer::walk_shadow(const Incidence& in, dvec3 p, Containment inside) {
+  static const double beyond = std::nextafter(t_shadow, 1.0);
   vec3 light = in.colour;
   Ray ray{p, in.l};
   double left = in.distance;
   Hit hit;
-  while (left > 2 * t_shadow &&
-         scene_->geometry.closest(ray, t_shadow, left - t_shadow, RayKind::shadow, hit,
-                                  *scratch_->geometry)) {
+  for (;;) {
     ++scratch_->rays;
+    if (left <= 2 * t_shadow || !scene_->geometry.closest(ray, beyond, left - t_shadow,
+                                                          RayKind::shadow, hit,
+                                                          *scratch_->geometry)) {
+      return light;
+    }
     light *= shadow_factor(hit, in.l, inside);
     if (dark(light)) return vec3(0.0F);
     inside.toggle(scene_->geometry.leaves()[hit.leaf].interior);
     ray.o = hit.p;
     left -= hit.t;
   }
-  return light;
 }
 
 // What a surface leaves of light that shines straight through it.

@@ -45,6 +45,36 @@ TEST_CASE("window: fractions of the size; an end of 1 is all of it", "[cli][wind
   CHECK(odd->end_column == 79);
 }
 
+TEST_CASE("window: the columns that POV-Ray renders of 100", "[cli][window]") {
+  struct Case {
+    std::vector<std::string> words;
+    int first, last;  // counted from 1
+  };
+  for (const Case& c : {Case{{"+SC0.29"}, 29, 100}, {{"+EC0.29"}, 1, 28}, {{"+EC0.57"}, 1, 56},
+                        {{"+SC0.58"}, 58, 100}, {{"+EC1.5"}, 1, 1}, {{"+SC2.7"}, 2, 100},
+                        {{"+SC0.999"}, 100, 100}, {{"+SC3.2", "+EC3.9"}, 3, 3}, {{"+SC1"}, 1, 100}}) {
+    CAPTURE(c.words);
+    std::vector<std::string> words = c.words;
+    words.emplace_back("+W100");
+    const auto w = window(words);
+    REQUIRE(w);
+    CHECK(w->first_column + 1 == c.first);
+    CHECK(w->end_column == c.last);
+  }
+}
+
+TEST_CASE("window: what was not rendered is opaque black", "[cli][window]") {
+  image::Image image(3, 3);
+  std::fill(image.pixels.begin(), image.pixels.end(), 0.5F);
+  blacken_outside(image, {1, 2, 1, 3});
+  CHECK(image.at(1, 1)[3] == 0.5F);
+  CHECK(image.at(1, 2)[0] == 0.5F);
+  for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {0, 1}, {2, 1}, {2, 2}}) {
+    CHECK(image.at(x, y)[0] == 0);
+    CHECK(image.at(x, y)[3] == 1);
+  }
+}
+
 TEST_CASE("window: outside the picture or empty is an error", "[cli][window]") {
   CHECK_FALSE(window({"+SC81"}));
   CHECK_FALSE(window({"+EC81"}));

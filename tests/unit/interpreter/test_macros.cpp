@@ -54,7 +54,7 @@ TEST_CASE("macros: #break returns", "[interpreter][macros]") {
 
 TEST_CASE("macros: arguments of every kind", "[interpreter][macros]") {
   CHECK(printed("#macro M(c) #debug vstr(3,c,\",\",0,1) #end M(rgb <1,.5,0>)") == "1.0,0.5,0.0");
-  const Run r = run("#macro Ball(p, t) sphere { p, 1 texture { t } } #end\n"
+  const Run r = run("#macro Ball(p, tx) sphere { p, 1 texture { tx } } #end\n"
                     "Ball(<1,2,3>, texture { pigment { rgb 1 } })");
   REQUIRE(r.scene);
   CHECK(r.scene->roots.size() == 1);

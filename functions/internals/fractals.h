@@ -1,0 +1,149 @@
+// Noise and sums of noise octaves (builtin-functions §3, §5).
+#pragma once
+
+#include <array>
+#include <limits>
+
+#include "functions/internals/common.h"
+
+namespace durer::functions::internals {
+
+template <class T>
+T signed_noise(const T& x, const T& y, const T& z, NoiseGenerator g) {
+  return 2 * noise(x, y, z, g) - 1;
+}
+[[nodiscard]] inline NoiseGenerator generator_of(double p) {
+  return static_cast<NoiseGenerator>(truncated32(p)) & 3;
+}
+
+template <class T>
+T ridge_sum(const T& x, const T& y, const T& z, const double* p) {
+  const auto [lambda, octaves, omega, offset, ridge, generator] =
+      std::array{p[0], p[1], p[2], p[3], p[4], p[5]};
+  const NoiseGenerator g = generator_of(generator);
+  const double size = max(ridge, 1 - ridge);
+  const auto f = [&](double k) { return T(abs(noise(k * x, k * y, k * z, g) - ridge) / size - offset); };
+  const int n = static_cast<int>(truncated32(octaves));
+  T value = f(1);
+  double total = 1;
+  double frequency = lambda;
+  double weight = omega;
+  for (int i = 2; i <= n; ++i) {
+    value += weight * f(frequency);
+    total += weight;
+    frequency *= lambda;
+    weight *= omega;
+  }
+  const double rest = octaves - n;
+  if (rest != 0) {
+    value += weight * rest * f(frequency);
+    total += weight * rest;
+  }
+  return value / max(offset, 1 - offset) / total;
+}
+
+/// Octave weights (lacunarity^i)^-H are computed for every call; the oracle keeps those of the first
+/// call of the run for ever, which differs only in scenes with several parameter sets.
+template <class T>
+T ridged_mf_sum(T x, T y, T z, const double* p) {
+  const auto [H, lacunarity, octaves, offset, gain, generator] =
+      std::array{p[0], p[1], p[2], p[3], p[4], p[5]};
+  const NoiseGenerator g = generator_of(generator);
+  T signal = sqr(offset - abs(signed_noise(x, y, z, g)));
+  T result = signal;
+  double frequency = 1;
+  for (int i = 1; i < octaves; ++i) {
+    x *= lacunarity;
+    y *= lacunarity;
+    z *= lacunarity;
+    frequency *= lacunarity;
+    const T weight = min(T(1), max(T(signal * gain), T(0)));
+    signal = sqr(offset - abs(signed_noise(x, y, z, g))) * weight;
+    result += signal * std::pow(frequency, -H);
+  }
+  return result;
+}
+
+template <class T>
+T hetero_mf_sum(T x, T y, T z, const double* p) {
+  const auto [H, lacunarity, octaves, offset, power, generator] =
+      std::array{p[0], p[1], p[2], p[3], p[4], p[5]};
+  const NoiseGenerator g = generator_of(generator);
+  const auto n = [&] { return T(signed_noise(x, y, z, g) + offset); };
+  const auto next_octave = [&] {
+    x *= lacunarity;
+    y *= lacunarity;
+    z *= lacunarity;
+  };
+  T sum = n();
+  next_octave();
+  const double w = std::pow(lacunarity, -H);
+  double e = w;
+  const int repeats = static_cast<int>(truncated32(power));
+  for (int i = 1; i < octaves; ++i) {
+    T d = n() * e;
+    for (int k = 0; k < repeats; ++k) d *= sum;
+    sum += d;
+    next_octave();
+    e *= w;
+  }
+  const double rest = octaves - std::trunc(octaves);
+  if (rest != 0) sum += rest * n() * e * sum;  // the power does not act on the partial octave
+  return sum;
+}
+
+/// Applies a sum whose parameters are single numbers. Where they vary over the batch it goes lane by
+/// lane, over a box there is no bound, and gradients take them as constants.
+template <int octaves, class T, class Sum>
+T with_uniform_parameters(const Args<T>& a, Sum sum) {
+  double p[6];
+  bool uniform = true;
+  for (int i = 0; i < 6; ++i) uniform = is_uniform(a.p[i], p[i]) && uniform;
+  p[octaves] = std::min(p[octaves], max_terms);
+  if constexpr (std::is_same_v<T, Pack>) {
+    if (!uniform) {
+      return by_lane<6>(a, [&](const Args<double>& b) {
+        return with_uniform_parameters<octaves>(b, sum);
+      });
+    }
+  } else if constexpr (std::is_same_v<T, Interval>) {
+    if (!uniform) return Interval::entire(true);
+  }
+  return sum(a.x, a.y, a.z, p);
+}
+
+template <class T>
+T f_ridge(const Args<T>& a) {
+  return with_uniform_parameters<1>(a, [](const auto&... q) { return ridge_sum(q...); });
+}
+template <class T>
+T f_ridged_mf(const Args<T>& a) {
+  return with_uniform_parameters<2>(a, [](const auto&... q) { return ridged_mf_sum(q...); });
+}
+template <class T>
+T f_hetero_mf(const Args<T>& a) {
+  return with_uniform_parameters<2>(a, [](const auto&... q) { return hetero_mf_sum(q...); });
+}
+
+template <class T>
+T f_noise3d(const Args<T>& a) {
+  return noise(a.x, a.y, a.z, a.context.noise_generator);
+}
+template <class T>
+T f_noise_generator(const Args<T>& a) {
+  double g = 0;
+  const bool uniform = is_uniform(a.p[0], g);
+  if constexpr (std::is_same_v<T, Pack>) {
+    if (!uniform) return by_lane<1>(a, [](const auto& b) { return f_noise_generator(b); });
+  } else if constexpr (std::is_same_v<T, Interval>) {
+    if (!uniform) return {0, 1, true};
+  }
+  return noise(a.x, a.y, a.z, generator_of(g));
+}
+/// The back end of pattern functions; called directly it is 0.
+template <class T>
+T f_pattern(const Args<T>&) {
+  return T(0);
+}
+
+}  // namespace durer::functions::internals

@@ -1,0 +1,27 @@
+// The inner loops of noise, once per instruction set. Every set computes the same bits.
+#pragma once
+
+#include <cstddef>
+
+#include "base/vec.h"
+#include "functions/noise.h"
+
+namespace durer::functions::simd {
+
+struct NoiseKernels {
+  double (*noise)(dvec3 p, int generator);
+  void (*noise_many)(const dvec3* points, std::size_t n, int generator, double* out);
+  dvec3 (*vnoise)(dvec3 p);
+  void (*vnoise_many)(const dvec3* points, std::size_t n, dvec3* out);
+  double (*turbulence)(dvec3 p, const Octaves& octaves, int generator);
+  dvec3 (*vturbulence)(dvec3 p, const Octaves& octaves);
+};
+
+/// What runs on every processor of the architecture.
+[[nodiscard]] const NoiseKernels& baseline_kernels();
+/// The AVX2 form, or null where the processor has none.
+[[nodiscard]] const NoiseKernels* avx2_kernels();
+/// The best of them for this processor.
+[[nodiscard]] const NoiseKernels& kernels();
+
+}  // namespace durer::functions::simd

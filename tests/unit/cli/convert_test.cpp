@@ -1,0 +1,83 @@
+#include "cli/convert.h"
+
+#include "tests/unit/cli/read.h"
+
+namespace durer::cli {
+namespace {
+
+scene::Settings scene_with(scene::GammaMode mode, const GammaCurve& curve = {}, int version = 370) {
+  scene::Settings s;
+  s.gamma_mode = mode;
+  s.assumed_gamma = curve;
+  s.effective_version = version;
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("convert: gamma handling follows the scene's mode", "[cli][convert]") {
+  using scene::GammaMode;
+  const Settings plain = test::accepted({"File_Gamma=1.8"});
+  const auto explicit_mode = encoding_of(plain, scene_with(GammaMode::explicit_, GammaCurve::power(2.2F)));
+  CHECK(explicit_mode.encode);
+  CHECK(explicit_mode.working == GammaCurve::power(2.2F));
+  CHECK(explicit_mode.file == GammaCurve::power(1.8F));
+  CHECK(encoding_of(plain, scene_with(GammaMode::legacy)).encode);
+  CHECK(encoding_of(plain, scene_with(GammaMode::implied)).encode);
+  CHECK_FALSE(encoding_of(plain, scene_with(GammaMode::off, {}, 362)).encode);
+  CHECK_FALSE(encoding_of(test::accepted({"Version=3.6"}), scene_with(GammaMode::off)).encode);
+  CHECK(encoding_of(test::accepted({"Version=3.7"}), scene_with(GammaMode::off)).encode);
+}
+
+TEST_CASE("convert: bits, alpha, greyscale and compression", "[cli][convert]") {
+  const auto e = encoding_of(test::accepted({"+FN16g", "+UA", "Compression=3"}),
+                             scene_with(scene::GammaMode::explicit_));
+  CHECK(e.bits == 16);
+  CHECK(e.greyscale);
+  CHECK(e.alpha);
+  CHECK(e.compression == 3);
+  CHECK(encoding_of(test::accepted({"+FC"}), scene_with(scene::GammaMode::off)).compression == 1);
+}
+
+TEST_CASE("convert: sampling options reach the renderer", "[cli][convert]") {
+  const auto o = render_options(test::accepted({"+W80", "+H60", "+A0.2", "+R4", "-J0.5", "+AG2", "+BS16", "+WT3"}),
+                                {1, 2, 3, 4});
+  CHECK(o.width == 80);
+  CHECK(o.height == 60);
+  CHECK(o.antialias);
+  CHECK(o.aa_threshold == 0.2F);
+  CHECK(o.aa_depth == 4);
+  CHECK(o.aa_jitter == 0);
+  CHECK(o.aa_gamma == 2);
+  CHECK(o.block_size == 16);
+  CHECK(o.threads == 3);
+  CHECK_FALSE(o.alpha);
+  CHECK(render_options(test::accepted({"+UA"}), {}).alpha);
+  CHECK(o.first_column == 1);
+  CHECK(o.end_row == 4);
+  CHECK_FALSE(render_options(test::accepted({"+A", "+AM0"}), {}).antialias);
+}
+
+TEST_CASE("convert: the interpreter learns what the scene can see", "[cli][convert]") {
+  const auto o = interpreter_options(test::accepted({"+La", "Declare=X=1", "+K0.1", "+MV3.5", "+UA"}));
+  CHECK(o.include_paths == std::vector<std::string>{"a"});
+  CHECK(o.declares.size() == 1);
+  CHECK(o.clock == static_cast<double>(0.1F));
+  CHECK(o.clock_on);
+  CHECK(o.version == 350);
+  CHECK(o.output_alpha);
+}
+
+TEST_CASE("convert: one line tells what was assumed", "[cli][convert]") {
+  using scene::GammaMode;
+  const Settings plain;
+  CHECK(assumptions(plain, scene_with(GammaMode::explicit_)) == "language 3.70; assumed_gamma 1");
+  CHECK(assumptions(plain, scene_with(GammaMode::explicit_, GammaCurve::srgb())) ==
+        "language 3.70; assumed_gamma srgb");
+  CHECK(assumptions(plain, scene_with(GammaMode::implied)) ==
+        "language 3.70; no assumed_gamma, 1 is taken");
+  CHECK(assumptions(plain, scene_with(GammaMode::off, {}, 362)) ==
+        "language 3.62 (no #version); no assumed_gamma, colours are stored as they are");
+}
+
+}  // namespace durer::cli
