@@ -7,6 +7,7 @@
 namespace durer::grammar::rules {
 
 struct directive;
+struct directive_ahead;
 struct fallback;
 
 /// One item. In a directive body nothing is an error until it is executed: what cannot be read
@@ -75,7 +76,9 @@ struct stray_bracket    : predicate<stray_bracket> {
 struct two_marks        : p::sor<p::string<'<', '='>, p::string<'>', '='>, p::string<'!', '='>> {};
 struct one_mark         : p::one<',', ';', '+', '-', '*', '/', '=', '&', '|', '!', '?', ':', '.', '<', '>',
                                  '^', '@', '$', '%', '~', '`', '\'', '\\'> {};
-struct any_mark         : p::sor<two_marks, one_mark, stray_bracket> {};
+struct terminator;
+struct hash_mark        : p::seq<p::not_at<terminator>, p::one<'#'>> {};
+struct any_mark         : p::sor<two_marks, one_mark, stray_bracket, hash_mark> {};
 struct mark             : any_mark {};
 
 struct mark_allowed     : predicate<mark_allowed> {
@@ -87,7 +90,7 @@ struct not_in_vector    : predicate<not_in_vector> {
   static bool test(Input&, Builder& b) { return !b.in_vector(); }
 };
 /// An operator whose operand a directive, or the file that includes this one, may supply.
-struct mark_explained   : p::seq<not_in_vector, p::at<one_mark, gap, p::sor<p::one<'#'>, p::eof>>> {};
+struct mark_explained   : p::seq<not_in_vector, p::at<one_mark, gap, p::sor<directive_ahead, p::eof>>> {};
 struct mark_item        : p::seq<p::sor<mark_allowed, mark_explained>, mark> {};
 
 struct comma_mark       : p::one<','> {};

@@ -124,6 +124,8 @@ class Printer {
   }
   void write(const ast::Member& m) {
     expr(m.object);
+    // `3.x` would be the number 3. and a name.
+    if (std::holds_alternative<ast::Number>(tree_.exprs[m.object].node)) out_ += ' ';
     out_ += '.';
     name(m.member);
   }

@@ -46,8 +46,8 @@ struct scan_name        : p::seq<scan_word, gap, p::opt<call_mark>> {};
 struct macro_word       : p::keyword<'m', 'a', 'c', 'r', 'o'> {};
 struct macro_hash       : p::seq<p::one<'#'>, gap, macro_word> {};
 struct scan_macro_name  : word_text {};
-struct directive_word   : word_text {};
-struct directive_hash   : p::seq<p::one<'#'>, gap, directive_word> {};
+struct scan_directive   : word_text {};
+struct directive_hash   : p::seq<p::one<'#'>, gap, scan_directive> {};
 
 struct open_bracket     : p::one<'{', '(', '['> {};
 struct close_bracket    : p::one<'}', ')', ']'> {};
@@ -107,7 +107,7 @@ struct on_scan<call_mark> {
   }
 };
 template <>
-struct on_scan<directive_word> {
+struct on_scan<scan_directive> {
   template <typename Input>
   static void apply(const Input& in, Scan& s) {
     s.word = {in.begin(), in.size()};
