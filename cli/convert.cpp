@@ -58,11 +58,13 @@ tracer::RenderOptions render_options(const Settings& s, const Window& window) {
   o.aa_jitter = s.jitter ? static_cast<float>(s.jitter_amount) : 0.0F;
   o.aa_gamma = static_cast<float>(s.aa_gamma);
   o.block_size = s.block_size;
+  o.alpha = s.alpha;
   o.threads = s.threads;
   o.first_column = window.first_column;
   o.end_column = window.end_column;
   o.first_row = window.first_row;
   o.end_row = window.end_row;
+  o.alpha = s.alpha;
   return o;
 }
 

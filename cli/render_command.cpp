@@ -15,7 +15,7 @@
 #include "cli/progress.h"
 #include "cli/scene_file.h"
 #include "cli/terminal.h"
-#include "tracer/inspect.h"
+#include "tracer/object_queries.h"
 
 namespace durer::cli {
 namespace {
@@ -50,8 +50,8 @@ class Render {
     if (const auto unwritable = image::probe(output_.path)) return fail(console_, *unwritable);
 
     interpreter::Options options = interpreter_options(settings_);
-    tracer::Inspector inspector;
-    options.queries = &inspector;
+    const auto queries = tracer::make_object_queries();
+    options.queries = queries.get();
     options.stdlib_path = stdlib_folder();
     options.fallback_paths = installed_include_folders();
     options.on_debug = [&](std::string_view text) { console_.print(Stream::debug, text); };
@@ -62,8 +62,7 @@ class Render {
     if (!compiled || diagnostics_.has_errors()) return end_with_errors();
     print_diagnostics(diagnostics_, settings_, console_);
     console_.print(Stream::render, assumptions(settings_, scene->settings) + "\n");
-    return trace(*compiled, render_options(settings_, *window),
-                 encoding_of(settings_, scene->settings));
+    return trace(*compiled, *window, encoding_of(settings_, scene->settings));
   }
 
  private:
@@ -72,18 +71,20 @@ class Render {
     return exit_code::error;
   }
 
-  int trace(const tracer::CompiledScene& compiled, const tracer::RenderOptions& options,
+  int trace(const tracer::CompiledScene& compiled, const Window& window,
             const image::Encoding& encoding) {
     ProgressLine line(stderr, terminal_columns(STDERR_FILENO));
     const bool shows_progress = settings_.verbose.value_or(true) && console_.speaks(Stream::render);
     std::function<void(const tracer::Progress&)> on_progress;
     if (shows_progress) on_progress = [&](const tracer::Progress& p) { line.show(p); };
-    const auto result = tracer::render(compiled, options, on_progress, &interrupts_set_flag());
+    auto result = tracer::render(compiled, render_options(settings_, window), on_progress,
+                                 &interrupts_set_flag());
     line.clear();
     if (result.cancelled) {
       console_.print(Stream::fatal, "interrupted, no picture was written\n");
       return exit_code::interrupted;
     }
+    blacken_outside(result.image, window);
     if (!output_.path.empty()) {
       const auto error = image::write(result.image, output_.path, *output_.format, encoding);
       if (error) return fail(console_, *error);

@@ -30,4 +30,16 @@ std::optional<Window> window_of(const Settings& s, std::string& problem) {
   return Window{columns->first, columns->end, rows->first, rows->end};
 }
 
+void blacken_outside(image::Image& image, const Window& w) {
+  for (int y = 0; y < image.height; ++y) {
+    const bool row_inside = y >= w.first_row && y < w.end_row;
+    for (int x = 0; x < image.width; ++x) {
+      if (row_inside && x >= w.first_column && x < w.end_column) continue;
+      const auto pixel = image.at(x, y);
+      pixel[0] = pixel[1] = pixel[2] = 0;
+      pixel[3] = 1;
+    }
+  }
+}
+
 }  // namespace durer::cli

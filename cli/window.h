@@ -20,4 +20,7 @@ struct Window {
 /// count from 1; so `End_Column=1` is the whole width. `problem` tells what lies outside.
 [[nodiscard]] std::optional<Window> window_of(const Settings& settings, std::string& problem);
 
+/// Makes everything outside the window opaque black, as the oracle does (with alpha too).
+void blacken_outside(image::Image& image, const Window& window);
+
 }  // namespace durer::cli

@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "tracer/primitives/store.h"
+#include "tracer/primitives/registry.h"
 
 namespace durer::tracer {
 namespace {
@@ -128,7 +129,9 @@ class Flattener {
       flat_.interiors.push_back({object.interior, false});
     }
     flat_.interiors[own.interior].hollow = own.hollow.value_or(false);
-    if (!object.bounds.empty() && object.kind != NodeKind::primitive) add_gate(object, around, own);
+    const bool cut_by_bounds = object.kind != NodeKind::primitive ||
+                               primitive_infos()[object.type]->keeps_bounds;
+    if (!object.bounds.empty() && cut_by_bounds) add_gate(object, around, own);
     return own;
   }
 

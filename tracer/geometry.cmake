@@ -13,7 +13,6 @@ add_library(durer_geometry STATIC
   csg/gate.cpp
   csg/solid_targets.cpp
   csg/sweep.cpp
-  inspect.cpp
   primitives/registry.cpp
   primitives/tube.cpp
   ${primitive_sources})

@@ -135,11 +135,13 @@ struct Poly {
     const double reach = l.p.root_bound();
     // Roots nearer than 1e-4 in local units are not seen (objects §3).
     const double lo = std::max(std::max(t_from * l.length, 1e-4) - l.middle, -reach);
-    const double hi = std::min(t_to * l.length - l.middle, reach);
-    if (!(lo < hi)) return std::nullopt;
-    const Roots<max_degree> roots = sign_changes(l.p, lo, hi);
+    if (!(lo < std::min(t_to * l.length - l.middle, reach))) return std::nullopt;
+    // Not up to t_to: the last bits of a root must not depend on what was hit before.
+    const Roots<max_degree> roots = sign_changes(l.p, lo, reach);
     if (roots.count == 0) return std::nullopt;
-    return Nearest{(l.middle + roots.values[0]) / l.length, 0};
+    const double t = (l.middle + roots.values[0]) / l.length;
+    if (!(t < t_to)) return std::nullopt;
+    return Nearest{t, 0};
   }
 };
 
@@ -178,6 +180,8 @@ constexpr PrimitiveType describe_poly() {
   type.name = "poly";
   type.doc = "A surface of any degree from 2 to 35, by its terms.";
   type.params = poly_params;
+  type.open_ended = true;
+  type.keeps_bounds = true;
   type.validate = poly_problem;
   type.make_stores = [] { return make_type_stores<Poly>(); };
   type.place = place_poly;

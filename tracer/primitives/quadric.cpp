@@ -86,7 +86,11 @@ struct Quadric {
 
 }  // namespace
 
-extern constinit const PrimitiveType quadric_primitive =
-    describe<Quadric>("quadric", "A surface of second degree: squares, products, linear, constant.");
+extern constinit const PrimitiveType quadric_primitive = [] {
+  PrimitiveType type = describe<Quadric>(
+      "quadric", "A surface of second degree: squares, products, linear, constant.");
+  type.keeps_bounds = true;
+  return type;
+}();
 
 }  // namespace durer::tracer

@@ -51,6 +51,8 @@ TEST_CASE("convert: sampling options reach the renderer", "[cli][convert]") {
   CHECK(o.aa_gamma == 2);
   CHECK(o.block_size == 16);
   CHECK(o.threads == 3);
+  CHECK_FALSE(o.alpha);
+  CHECK(render_options(test::accepted({"+UA"}), {}).alpha);
   CHECK(o.first_column == 1);
   CHECK(o.end_row == 4);
   CHECK_FALSE(render_options(test::accepted({"+A", "+AM0"}), {}).antialias);

@@ -101,6 +101,7 @@ TEST_CASE("program: parse says nothing about good files", "[cli][program]") {
 }
 
 TEST_CASE("program: help and version go to standard output", "[cli][program]") {
+  const test::Folder folder;
   CHECK(has(run("--version").out, "durer "));
   const Run help = run("--help");
   CHECK(help.code == 0);
@@ -113,6 +114,7 @@ TEST_CASE("program: interrupted, it ends with 2 and leaves the older picture", "
   folder.file("a.png", "older");
   const pid_t child = ::fork();
   if (child == 0) {
+    ::close(STDERR_FILENO);
     ::execl(DURER_PROGRAM, "durer", "a.pov", "+W4000", "+H4000", "+A0", "+R9", "--quiet", nullptr);
     ::_exit(127);
   }

@@ -63,6 +63,18 @@ TEST_CASE("window: the columns that POV-Ray renders of 100", "[cli][window]") {
   }
 }
 
+TEST_CASE("window: what was not rendered is opaque black", "[cli][window]") {
+  image::Image image(3, 3);
+  std::fill(image.pixels.begin(), image.pixels.end(), 0.5F);
+  blacken_outside(image, {1, 2, 1, 3});
+  CHECK(image.at(1, 1)[3] == 0.5F);
+  CHECK(image.at(1, 2)[0] == 0.5F);
+  for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {0, 1}, {2, 1}, {2, 2}}) {
+    CHECK(image.at(x, y)[0] == 0);
+    CHECK(image.at(x, y)[3] == 1);
+  }
+}
+
 TEST_CASE("window: outside the picture or empty is an error", "[cli][window]") {
   CHECK_FALSE(window({"+SC81"}));
   CHECK_FALSE(window({"+EC81"}));
