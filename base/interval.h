@@ -298,7 +298,7 @@ inline Interval& operator*=(Interval& a, const Interval& b) { return a = a * b; 
   if (a.lo > 0 || (a.lo == 0 && b.lo >= 0)) return corners(a.lo, a.hi);
   const bool integer = b.is_point() && b.lo == std::trunc(b.lo) && std::abs(b.lo) < 1e15;
   if (!integer || b.lo < 0) {  // a pole or NaN inside; the size is still bounded below zero
-    return a.lo >= 0 ? Interval{0, inf, nan} : Interval::entire(true);
+    return a.lo > 0 ? Interval{0, inf, nan} : Interval::entire(true);  // pow(-0, -1) is -inf
   }
   if (std::fmod(b.lo, 2) != 0) return corners(a.lo, a.hi);
   const Interval size = abs(a);

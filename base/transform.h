@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 
 #include "base/vec.h"
@@ -55,6 +56,31 @@ struct Transform {
   [[nodiscard]] dvec3 vector(dvec3 v) const { return forward.vector(v); }
   /// Normals go by the inverse transpose; the result is not renormalised.
   [[nodiscard]] dvec3 normal(dvec3 n) const { return backward.covector(n); }
+};
+
+/// A transform as scene data keeps it: the identity, by far the commonest, takes 16 bytes, and
+/// copies share.
+class SharedTransform {
+ public:
+  SharedTransform() = default;
+  SharedTransform(const Transform& t)  // NOLINT: meant to convert
+      : transform_(t.is_identity() ? nullptr : std::make_shared<const Transform>(t)) {}
+
+  [[nodiscard]] bool is_identity() const { return transform_ == nullptr; }
+  [[nodiscard]] const Transform& get() const {
+    static const Transform identity;
+    return transform_ ? *transform_ : identity;
+  }
+  operator const Transform&() const { return get(); }  // NOLINT: meant to convert
+  const Transform* operator->() const { return &get(); }
+  [[nodiscard]] SharedTransform then(const SharedTransform& next) const {
+    if (is_identity()) return next;
+    if (next.is_identity()) return *this;
+    return get().then(next.get());
+  }
+
+ private:
+  std::shared_ptr<const Transform> transform_;
 };
 
 }  // namespace durer

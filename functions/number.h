@@ -99,6 +99,7 @@ template <class T>
 /// What an evaluation needs to know beside the arguments.
 struct Context {
   NoiseGenerator noise_generator = 2;  // of the scene: what f_noise3d uses
+  void* scratch = nullptr;             // for functions from outside; one per thread
 };
 
 }  // namespace durer::functions

@@ -1,63 +1,66 @@
 #include "image/oiio_file.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
+#include <dlfcn.h>
+
+#include <filesystem>
+#include <mutex>
+
+#include "image/oiio_module.h"
 
 namespace durer::image {
 namespace {
 
-OIIO::ImageSpec spec_for(const Image& size, int channels, OIIO::TypeDesc type,
-                         const Attributes& attributes) {
-  OIIO::ImageSpec spec(size.width, size.height, channels, type);
-  spec.alpha_channel = channels % 2 == 0 ? channels - 1 : -1;
-  for (const auto& [name, value] : attributes) {
-    std::visit([&, &key = name](const auto& v) { spec.attribute(key, v); }, value);
+namespace fs = std::filesystem;
+
+/// The module lies in lib/durer of a folder above the program: of the build, or of where it is
+/// installed.
+fs::path module_path() {
+  std::error_code error;
+  fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+  for (int level = 0; level < 5 && !error; ++level) {
+    const fs::path candidate = folder / "lib" / "durer" / "durer_openimageio.so";
+    if (fs::exists(candidate, error)) return candidate;
+    folder = folder.parent_path();
   }
-  return spec;
+  return "durer_openimageio.so";
 }
 
-Encoded failure(std::string reason) {
-  while (!reason.empty() && reason.back() == '\n') reason.pop_back();
-  return {.bytes = {}, .error = std::move(reason)};
-}
+struct Loaded {
+  const OiioModule* module = nullptr;
+  std::string error;
+};
 
-/// `type` is that of `samples`; the file's own stands in `spec`.
-Encoded to_bytes(const char* plugin, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
-                 const void* samples) {
-  const auto out = OIIO::ImageOutput::create(plugin);
-  if (!out) return failure(OIIO::geterror());
-  Encoded file;
-  OIIO::Filesystem::IOVecOutput memory(file.bytes);
-  out->set_ioproxy(&memory);
-  // The name is never opened; some formats look at its extension.
-  if (!out->open(std::string("picture.") + plugin, spec)) return failure(out->geterror());
-  if (!out->write_image(type, samples)) return failure(out->geterror());
-  if (!out->close()) return failure(out->geterror());
-  return file;
+/// Loads the module once; it stays.
+const Loaded& module() {
+  static Loaded loaded;
+  static std::once_flag once;
+  std::call_once(once, [] {
+    void* const handle = ::dlopen(module_path().c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (handle != nullptr) {
+      loaded.module = static_cast<const OiioModule*>(::dlsym(handle, "durer_oiio_module"));
+    }
+    if (loaded.module == nullptr) {
+      const char* why = ::dlerror();
+      loaded.error = std::string("the OpenImageIO module cannot be loaded: ") + (why != nullptr ? why : "");
+    }
+  });
+  return loaded;
 }
 
 }  // namespace
 
 Encoded file_of_codes(const char* plugin, const Image& size, const Codes& codes,
                       Attributes attributes) {
-  attributes.emplace_back("oiio:UnassociatedAlpha", 1);  // ours is: do not divide again
-  if (codes.sample_bits == 16) {
-    const auto spec = spec_for(size, codes.channels, OIIO::TypeDesc::UINT16, attributes);
-    return to_bytes(plugin, spec, spec.format, codes.values.data());
-  }
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(codes.values.size());
-  for (const std::uint16_t v : codes.values) bytes.push_back(static_cast<std::uint8_t>(v));
-  const auto spec = spec_for(size, codes.channels, OIIO::TypeDesc::UINT8, attributes);
-  return to_bytes(plugin, spec, spec.format, bytes.data());
+  const Loaded& m = module();
+  if (m.module == nullptr) return {.bytes = {}, .error = m.error};
+  return m.module->codes(plugin, size, codes, std::move(attributes));
 }
 
 Encoded file_of_samples(const char* plugin, const Image& size, const Samples& samples, bool half,
                         Attributes attributes) {
-  attributes.emplace_back("oiio:ColorSpace", "Linear");
-  const auto type = half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT;
-  const auto spec = spec_for(size, samples.channels, type, attributes);
-  return to_bytes(plugin, spec, OIIO::TypeDesc::FLOAT, samples.values.data());
+  const Loaded& m = module();
+  if (m.module == nullptr) return {.bytes = {}, .error = m.error};
+  return m.module->samples(plugin, size, samples, half, std::move(attributes));
 }
 
 Attributes curve_attributes(const GammaCurve& curve) {

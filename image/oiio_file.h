@@ -1,4 +1,5 @@
-// The one door to OpenImageIO: samples that are already what the file shall hold become bytes.
+// The one door to OpenImageIO: samples that are already what the file shall hold become bytes. The
+// library is loaded at the first call.
 #pragma once
 
 #include <string>

@@ -228,6 +228,7 @@ void Interpreter::default_block() {
       scene::TextureUse use{default_texture_, {}};
       edit_texture(use, t);
       default_texture_ = use.texture;
+      own_texture_ = scene::none;
     } else if (t.is(grammar::words::camera)) {
       default_camera_ = read_camera(t.span);
     } else if (t.is(grammar::words::radiosity)) {

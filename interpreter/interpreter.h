@@ -298,6 +298,7 @@ class Interpreter {
   std::vector<std::uint32_t> streams_;  // states of rand()
   scene::Scene scene_;
   scene::TextureId default_texture_ = scene::none;
+  scene::TextureId own_texture_ = scene::none;  // made by the object statement being read
   std::shared_ptr<const CameraSpec> default_camera_;
   std::shared_ptr<const CameraSpec> camera_;
   int declared_version_ = 370;

@@ -325,15 +325,19 @@ scene::ObjectId Interpreter::read_object_modifiers(scene::Object object, const T
     d.labels.push_back({word.span.to(opened), "in this block"});
     fail(std::move(d));
   }
+  own_texture_ = scene::none;
   return add_object(std::move(object));
 }
 
 void Interpreter::transform_object(scene::Object& o, const Transform& t) {
-  o.transform = o.transform.then(t);
-  o.texture.transform = o.texture.transform.then(t);
-  o.interior_texture.transform = o.interior_texture.transform.then(t);
-  o.clip_transform = o.clip_transform.then(t);
-  o.bound_transform = o.bound_transform.then(t);
+  const SharedTransform step(t);
+  o.transform = o.transform.then(step);
+  if (o.texture.texture != scene::none) o.texture.transform = o.texture.transform.then(step);
+  if (o.interior_texture.texture != scene::none) {
+    o.interior_texture.transform = o.interior_texture.transform.then(step);
+  }
+  if (!o.clips.empty()) o.clip_transform = o.clip_transform.then(step);
+  if (!o.bounds.empty()) o.bound_transform = o.bound_transform.then(step);
 }
 
 /// Reads one modifier whose word is `t`; false if `t` is none.
@@ -396,7 +400,7 @@ void Interpreter::read_clips(scene::Object& o, bool clip) {
   const std::string_view block = clip ? "clipped_by" : "bounded_by";
   expect_open(block);
   std::vector<scene::ObjectId>& list = clip ? o.clips : o.bounds;
-  Transform& moved = clip ? o.clip_transform : o.bound_transform;
+  SharedTransform& moved = clip ? o.clip_transform : o.bound_transform;
   if (accept(clip ? w::bounded_by : w::clipped_by)) {
     if (!list.empty()) {
       fail(Code::scene, peek().span, fmt::format("`{}` cannot borrow a list when it has one", block));

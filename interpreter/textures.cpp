@@ -46,9 +46,23 @@ void Interpreter::add_layers(scene::TextureUse& use, scene::TextureId added) {
 /// a copy of the default if there is none.
 void Interpreter::edit_texture(scene::TextureUse& use, const Token& word) {
   if (use.texture == scene::none) use = {default_texture_, {}};
-  scene::Texture t = materialize(use);
+  scene::Texture t;
+  const bool own = use.texture == own_texture_ && own_texture_ != scene::none;
+  if (own) {
+    // Made by this very statement: nobody else has seen it, so it can be changed in place.
+    t = std::move(scene_.textures[use.texture]);
+    if (!use.transform.is_identity()) transform_texture(t, use.transform);
+  } else {
+    t = materialize(use);
+  }
   edit_layer(t.layers.back(), word);
-  use = {add_texture(std::move(t)), {}};
+  if (own) {
+    scene_.textures[use.texture] = std::move(t);
+    use.transform = {};
+  } else {
+    use = {add_texture(std::move(t)), {}};
+    own_texture_ = use.texture;
+  }
 }
 
 void Interpreter::edit_layer(scene::Layer& layer, const Token& word) {
@@ -624,6 +638,7 @@ Material Interpreter::read_material() {
       unexpected(t, "a texture, interior or transformation in `material`");
     }
   }
+  own_texture_ = scene::none;
   const auto settle = [&](const scene::TextureUse& use) {
     if (use.texture == scene::none || use.transform.is_identity()) return use.texture;
     return add_texture(materialize(use));

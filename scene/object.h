@@ -34,7 +34,7 @@ struct Object {
   std::vector<double> args;        // primitive: operands, laid out by its Params
   std::vector<ObjectId> children;  // CSG
   LightId light = none;
-  Transform transform;
+  SharedTransform transform;
 
   TextureUse texture;           // .texture == none: inherits (objects §9.3)
   TextureUse interior_texture;  // seen when hit from inside; none: same as texture
@@ -42,8 +42,8 @@ struct Object {
   std::vector<ObjectId> clips;   // `clipped_by`: a hit survives if inside all of them
   std::vector<ObjectId> bounds;  // `bounded_by`
   /// The clips and bounds above live in this space of their own → surrounding space.
-  Transform clip_transform;
-  Transform bound_transform;
+  SharedTransform clip_transform;
+  SharedTransform bound_transform;
 
   bool inverse = false;
   std::optional<bool> hollow;

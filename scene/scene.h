@@ -48,7 +48,7 @@ struct Camera {
 struct SkySphere {
   std::vector<Pigment> pigments;  // in written order; later ones lie on top
   vec3 emission{1.0F};
-  Transform transform;            // pigment space → world; applied to the unit direction as to a point
+  SharedTransform transform;      // pigment space → world; applied to the unit direction as to a point
   OriginId origin = 0;
 };
 

@@ -34,7 +34,7 @@ struct Pigment {
   Colour colour;
   std::vector<PigmentEntry> entries;  // in written order, never sorted (textures §11.1)
   std::vector<Pigment> children;
-  Transform transform;                // pattern space → the texture's space
+  SharedTransform transform;          // pattern space → the texture's space
   float frequency = 1;
   float phase = 0;
   Wave wave = Wave::ramp;
@@ -77,9 +77,6 @@ struct Finish {
 struct Layer {
   Pigment pigment;
   Finish finish;
-  /// Transform of the layer inside its texture: pigment space → texture space is pigment.transform,
-  /// then this.
-  Transform transform;
   std::string unsupported;  // e.g. a `normal`
 };
 
@@ -107,7 +104,7 @@ struct Interior {
 /// A texture as attached to an object: the texture, then the transforms made since.
 struct TextureUse {
   TextureId texture = none;
-  Transform transform;  // texture space → space around the object that carries it
+  SharedTransform transform;  // texture space → space around the object that carries it
 };
 
 }  // namespace durer::scene

@@ -12,8 +12,11 @@ import argparse
 import fnmatch
 import os
 import re
+import shutil
 import subprocess
 import sys
+import tempfile
+import threading
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -49,17 +52,50 @@ class Row:
 
 # ---- scenes and the oracle's pictures ----------------------------------------------------------
 
-def find_scenes() -> dict[str, Path]:
-    """Every example scene, by its path below the examples' folder; empty if they are not installed."""
+def packaged_files() -> dict[str, Path]:
+    """Every file of the examples' folder, by its path below it; empty if they are not installed."""
     try:
         listing = subprocess.run(["dpkg", "-L", "povray-examples"], capture_output=True, check=False)
     except FileNotFoundError:
         return {}
-    paths = sorted(Path(os.fsdecode(line)) for line in listing.stdout.splitlines() if line.endswith(b".pov"))
-    if not paths:
+    paths = [Path(os.fsdecode(line)) for line in listing.stdout.splitlines()]
+    scenes = [path.parent for path in paths if path.suffix == ".pov"]
+    if not scenes:
         return {}
-    top = Path(os.path.commonpath([path.parent for path in paths]))
-    return {str(path.relative_to(top)): path for path in paths if path.exists()}
+    top = Path(os.path.commonpath(scenes))
+    return {str(path.relative_to(top)): path for path in sorted(paths)
+            if path.is_relative_to(top) and path.is_file()}
+
+
+class Workplace:
+    """A copy of the examples for each program, made when first needed and removed at the end.
+
+    Some scenes write files beside themselves, and others read those. In a copy they need no rights,
+    leave nothing behind, and do not see what the other program wrote.
+    """
+
+    def __init__(self) -> None:
+        self.files = packaged_files()
+        self.scenes = [name for name in self.files if name.endswith(".pov")]
+        self._folder = tempfile.TemporaryDirectory(prefix="durer-")
+        self._lock = threading.Lock()
+
+    def __enter__(self) -> "Workplace":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._folder.cleanup()
+
+    def scene(self, program: str, name: str) -> Path:
+        """Where `program` finds the scene."""
+        top = Path(self._folder.name) / program
+        with self._lock:
+            if not top.exists():
+                for file, source in self.files.items():
+                    target = top / file
+                    target.parent.mkdir(parents=True, exist_ok=True)
+                    shutil.copyfile(source, target)
+        return top / name
 
 
 def cache_folder() -> Path:
@@ -67,14 +103,14 @@ def cache_folder() -> Path:
     return Path(os.environ.get("DURER_ORACLE_CACHE") or home / "durer" / "oracle")
 
 
-def oracle_picture(name: str, scene: Path) -> tuple[png.Picture | None, str, float]:
+def oracle_picture(name: str, place: Workplace) -> tuple[png.Picture | None, str, float]:
     """The oracle's picture of a scene, what it says if it makes none, and its time in seconds."""
     picture = (cache_folder() / name).with_suffix(".png")
     log = picture.with_name(picture.name + ".log")
     known = _read_cached(picture, log)
     if known:
         return known
-    result = programs.render_with_oracle(scene, OPTIONS, ORACLE_LIMIT)
+    result = programs.render_with_oracle(place.scene("oracle", name), OPTIONS, ORACLE_LIMIT)
     picture.parent.mkdir(parents=True, exist_ok=True)
     if result.picture:
         _replace(picture, png.encode(result.picture))
@@ -110,10 +146,10 @@ def _replace(path: Path, data: bytes) -> None:
 
 # ---- verdicts ----------------------------------------------------------------------------------
 
-def judge(name: str, scene: Path) -> Row:
+def judge(name: str, place: Workplace) -> Row:
     """Renders one scene with both programs and compares."""
-    expected, oracle_error, oracle_time = oracle_picture(name, scene)
-    result = programs.render_with_durer(scene, OPTIONS, DURER_LIMIT)
+    expected, oracle_error, oracle_time = oracle_picture(name, place)
+    result = programs.render_with_durer(place.scene("durer", name), OPTIONS, DURER_LIMIT)
     made, crashed = result.picture, result.run.code < 0 and not result.run.timed_out
 
     def row(kind: str, note: str = "", decibels: float | None = None) -> Row:
@@ -181,7 +217,7 @@ def summary(rows: list[Row]) -> str:
             f"the {len(both)} that both render: oracle {oracle:.1f} s, durer {durer:.1f} s{ratio}")
 
 
-def choose(scenes: dict[str, Path], filters: list[str], listed: Path | None) -> dict[str, Path]:
+def choose(scenes: list[str], filters: list[str], listed: Path | None) -> list[str]:
     """The scenes that a list file names (all without one) and that some filter fits: part of the name,
     or a pattern with * and ?."""
     chosen = scenes
@@ -191,9 +227,9 @@ def choose(scenes: dict[str, Path], filters: list[str], listed: Path | None) -> 
         unknown = [name for name in names if name not in scenes]
         if unknown:
             sys.exit(f"conformance: {listed} names scenes that are not installed: {', '.join(unknown)}")
-        chosen = {name: scenes[name] for name in names}
+        chosen = names
     if filters:
-        chosen = {name: path for name, path in chosen.items() if any(_fits(name, word) for word in filters)}
+        chosen = [name for name in chosen if any(_fits(name, word) for word in filters)]
     return chosen
 
 
@@ -214,39 +250,38 @@ def options() -> argparse.Namespace:
     return parser.parse_args()
 
 
-def missing() -> str:
-    """What is not installed, or nothing."""
-    if not programs.oracle_path():
-        return "POV-Ray is not installed"
-    return "" if find_scenes() else "POV-Ray's example scenes are not installed"
-
-
 def main() -> int:
     args = options()
-    if reason := missing():
-        print(f"SKIPPED: the comparison with the oracle did not run: {reason}; {programs.HOW_TO_INSTALL_ORACLE}")
-        return programs.SKIPPED
-    scenes = choose(find_scenes(), args.filter, args.list)
-    if not scenes:
-        print("conformance: no scene fits the filter", file=sys.stderr)
-        return 2
-    if args.oracle_only:
-        for name, path in scenes.items():
-            _, error, seconds = oracle_picture(name, path)
-            print(f"{name}  {seconds:.2f}  {error}".rstrip(), flush=True)
-        return 0
-    if not programs.durer_path().exists():
-        print(f"conformance: {programs.durer_path()} is not built: `make build`", file=sys.stderr)
-        return 2
-    return compare(scenes, args)
+    with Workplace() as place:
+        if not programs.oracle_path() or not place.scenes:
+            print("SKIPPED: the comparison with the oracle did not run, because POV-Ray or its example "
+                  f"scenes are not installed; {programs.HOW_TO_INSTALL_ORACLE}")
+            return programs.SKIPPED
+        scenes = choose(place.scenes, args.filter, args.list)
+        if not scenes:
+            print("conformance: no scene fits the filter", file=sys.stderr)
+            return 2
+        if args.oracle_only:
+            return fill_cache(scenes, place)
+        if not programs.durer_path().exists():
+            print(f"conformance: {programs.durer_path()} is not built: `make build`", file=sys.stderr)
+            return 2
+        return compare(scenes, place, args)
 
 
-def compare(scenes: dict[str, Path], args: argparse.Namespace) -> int:
+def fill_cache(scenes: list[str], place: Workplace) -> int:
+    for name in scenes:
+        _, error, seconds = oracle_picture(name, place)
+        print(f"{name}  {seconds:.2f}  {error}".rstrip(), flush=True)
+    return 0
+
+
+def compare(scenes: list[str], place: Workplace, args: argparse.Namespace) -> int:
     width = max(map(len, scenes))
     print(f"{'scene':<{width}}  {'class':<16} {'dB':>5}  {'oracle s':>8}  {'durer s':>8}  note")
     rows = []
     with ThreadPoolExecutor(max(1, args.jobs)) as pool:
-        for row in pool.map(judge, scenes.keys(), scenes.values()):
+        for row in pool.map(judge, scenes, [place] * len(scenes)):
             print(line_of(row, width), flush=True)
             rows.append(row)
 

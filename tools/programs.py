@@ -119,6 +119,8 @@ def render_with_oracle(scene: Path, options: list[str], limit: float) -> Renderi
 
 def first_error(stderr: str) -> str:
     """The line that says what went wrong: the first that speaks of an error, else the first at all."""
+    if coded := re.search(r"error\[D\d+\].*", stderr):
+        return coded[0]
     lines = [line.strip() for line in stderr.splitlines() if line.strip()]
     told = [line for line in lines if re.match(r"(fatal )?(\w+ )?error\b", line, re.IGNORECASE)]
     return next(iter(told + lines), "no message")

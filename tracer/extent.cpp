@@ -56,8 +56,13 @@ class Measure {
         b = stored(b.transformed(inner.forward));
         break;
     }
-    b = cut(b, o.bounds, o.bound_transform.then(around));
-    return cut(b, o.clips, o.clip_transform.then(around));
+    if (const auto smaller = cut(b, o.bounds, o.bound_transform.then(around))) b = *smaller;
+    return cut(b, o.clips, o.clip_transform.then(around)).value_or(b);
+  }
+
+  std::optional<Bounds3> bounding_box(ObjectId id, const Transform& around) {
+    const Object& o = scene_.objects[id];
+    return cut(primitive(o, o.transform.then(around)), o.bounds, o.bound_transform.then(around));
   }
 
  private:
@@ -114,13 +119,13 @@ class Measure {
     return own.infinite() ? own : box(id, {}, turned);
   }
 
-  /// The common box of bounds or clips replaces the object's own if it is smaller.
-  Bounds3 cut(const Bounds3& own, const std::vector<ObjectId>& cutters, const Transform& space) {
+  /// The common box of bounds or clips, if it is smaller than the object's own and replaces it.
+  std::optional<Bounds3> cut(const Bounds3& own, const std::vector<ObjectId>& cutters, const Transform& space) {
     Bounds3 common{dvec3(-no_hit_depth), dvec3(no_hit_depth)};
     for (const ObjectId id : cutters) {
       if (!scene_.objects[id].inverse) common = common.intersection(box(id, space));
     }
-    if (cutters.empty() || common.empty() || !(volume(common) < volume(own))) return own;
+    if (cutters.empty() || common.empty() || !(volume(common) < volume(own))) return std::nullopt;
     return stored(common);
   }
 
@@ -131,6 +136,11 @@ class Measure {
 
 Bounds3 extent_of(const scene::Scene& scene, scene::ObjectId object) {
   return Measure(scene).box(object, {});
+}
+
+std::optional<Bounds3> bounding_box_of(const scene::Scene& scene, scene::ObjectId object,
+                                       const Transform& around) {
+  return Measure(scene).bounding_box(object, around);
 }
 
 }  // namespace durer::tracer

@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "tracer/extent.h"
 #include "tracer/primitives/store.h"
 #include "tracer/primitives/registry.h"
 
@@ -50,7 +51,7 @@ class SurfaceTable {
     key.append(reinterpret_cast<const char*>(&use.texture), sizeof use.texture);
     if (use.texture == none || use.transform.is_identity()) return;
     static_assert(sizeof(Affine) == 12 * sizeof(double), "an Affine is plain numbers");
-    key.append(reinterpret_cast<const char*>(&use.transform.forward), sizeof(Affine));
+    key.append(reinterpret_cast<const char*>(&use.transform->forward), sizeof(Affine));
   }
   static std::string key(const Surface& s) {
     std::string key(1, s.double_illuminate ? '1' : '0');
@@ -99,7 +100,7 @@ class Flattener {
       if (around.scenery) add_light(object, around);
       return none;
     }
-    const Context own = inherit(object, around);
+    const Context own = inherit(id, around);
     const std::uint32_t body =
         object.kind == NodeKind::primitive ? add_leaf(object, own) : add_csg(object, own, around);
     if (body == none) return none;
@@ -107,7 +108,8 @@ class Flattener {
     return clip(object, around, body);
   }
 
-  Context inherit(const Object& object, const Context& around) {
+  Context inherit(scene::ObjectId id, const Context& around) {
+    const Object& object = scene_.objects[id];
     Context own = around;
     own.to_world = object.transform.then(around.to_world);
     own.inverted = around.inverted != object.inverse;
@@ -129,9 +131,7 @@ class Flattener {
       flat_.interiors.push_back({object.interior, false});
     }
     flat_.interiors[own.interior].hollow = own.hollow.value_or(false);
-    const bool cut_by_bounds = object.kind != NodeKind::primitive ||
-                               primitive_infos()[object.type]->keeps_bounds;
-    if (!object.bounds.empty() && cut_by_bounds) add_gate(object, around, own);
+    if (!object.bounds.empty()) add_gate(id, around, own);
     return own;
   }
 
@@ -191,13 +191,25 @@ class Flattener {
     return add_node(std::move(node));
   }
 
-  void add_gate(const Object& object, const Context& around, Context& own) {
-    FlatGate gate{{}, around.gate};
-    const Context hidden = behind_the_scenes(object.bound_transform, around);
-    for (const scene::ObjectId id : object.bounds) {
-      if (const std::uint32_t node = visit(id, hidden); node != none) gate.nodes.push_back(node);
+  // The oracle drops the bounds of primitives that stand alone, but keeps the box that they left
+  // behind; elsewhere the bounds themselves are asked (objects §7, "Removal of user bounds").
+  void add_gate(scene::ObjectId id, const Context& around, Context& own) {
+    const Object& object = scene_.objects[id];
+    FlatGate gate;
+    gate.outer = around.gate;
+    const bool drops_bounds = object.kind == NodeKind::primitive &&
+                              !primitive_infos()[object.type]->keeps_bounds;
+    if (drops_bounds && around.splits) {
+      const auto box = bounding_box_of(scene_, id, around.to_world);
+      if (!box) return;
+      gate.box = *box;
+    } else {
+      const Context hidden = behind_the_scenes(object.bound_transform, around);
+      for (const scene::ObjectId bound : object.bounds) {
+        if (const auto node = visit(bound, hidden); node != none) gate.nodes.push_back(node);
+      }
+      if (gate.nodes.empty()) return;
     }
-    if (gate.nodes.empty()) return;
     own.gate = static_cast<std::uint32_t>(flat_.gates.size());
     flat_.gates.push_back(std::move(gate));
   }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/bounds.h"
 #include "base/diagnostic.h"
 #include "scene/scene.h"
 #include "tracer/geometry.h"
@@ -41,8 +42,9 @@ struct FlatEntry {
   std::uint32_t interior = 0;  // of the object as a whole
 };
 
-/// `bounded_by`: a ray must meet each of these trees, and pass the outer gate.
+/// `bounded_by`: a ray must meet the box and each of these trees, and pass the outer gate.
 struct FlatGate {
+  Bounds3 box = Bounds3::everything();
   std::vector<std::uint32_t> nodes;
   std::uint32_t outer = scene::none;
 };

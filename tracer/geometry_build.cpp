@@ -28,7 +28,7 @@ Geometry::State::State(Flat flat, Hierarchy hierarchy) {
 void Geometry::State::add_gates(const Flat& flat) {
   const auto place_part = [this](const FlatLeaf& part) { return place(operands, part); };
   for (const FlatGate& flat_gate : flat.gates) {
-    Gate gate{{}, flat_gate.outer};
+    Gate gate{flat_gate.box, {}, flat_gate.outer};
     for (const std::uint32_t node : flat_gate.nodes) {
       gate.solids.push_back(add_solid(parts, flat, node, place_part));
     }

@@ -52,7 +52,7 @@ class SceneBuilder {
   scene::Scene scene;
 
   scene::TextureId texture(const scene::Pigment& pigment, const scene::Finish& finish) {
-    return layers({{pigment, finish, {}, {}}});
+    return layers({{pigment, finish, {}}});
   }
   /// Innermost first, as written.
   scene::TextureId layers(std::vector<scene::Layer> all) {

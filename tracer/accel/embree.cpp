@@ -46,24 +46,40 @@ float round_up(double x) {
 /// For depths: not the nearest float above, but one that costs a multiplication.
 float depth_above(double t) { return static_cast<float>(t * (1 + 1e-6)); }
 
+/// The part of the scene that Embree is told of.
+struct Region {
+  Bounds3 box;       // of everything in it
+  double reach = 0;  // greatest coordinate in it
+  dvec3 center{0.0};  // boxes and rays are given relative to it
+  /// Embree rounds our ray to single precision and steps along it in single precision: errors of
+  /// a few 2^-24 of the region's size, which the boxes must cover.
+  double pad = 0;
+};
+
 /// What the bounds callback needs.
 struct Member {
   const Targets* targets = nullptr;
-  dvec3 center{0.0};  // of the scene: boxes and rays are given relative to it
-  double pad = 0;
+  const Region* region = nullptr;
 };
+
+double reach_of(const Bounds3& b) {
+  double reach = 0;
+  for (int i = 0; i < 3; ++i) reach = std::max({reach, std::abs(b.lo[i]), std::abs(b.hi[i])});
+  return reach;
+}
 
 void bounds_callback(const RTCBoundsFunctionArguments* args) {
   const auto& member = *static_cast<const Member*>(args->geometryUserPtr);
   const Bounds3 b = member.targets->surface_bounds(args->primID);
   RTCBounds& out = *args->bounds_o;
-  if (b.empty() || b.infinite()) {  // an inverted box is left out of the hierarchy
+  const Region& region = *member.region;
+  if (b.empty() || b.infinite() || reach_of(b) > region.reach) {  // a box that Embree leaves out
     out.lower_x = out.lower_y = out.lower_z = float_infinity;
     out.upper_x = out.upper_y = out.upper_z = -float_infinity;
     return;
   }
-  const dvec3 lo = b.lo - member.center - member.pad;
-  const dvec3 hi = b.hi - member.center + member.pad;
+  const dvec3 lo = b.lo - region.center - region.pad;
+  const dvec3 hi = b.hi - region.center + region.pad;
   out.lower_x = round_down(lo.x), out.lower_y = round_down(lo.y), out.lower_z = round_down(lo.z);
   out.upper_x = round_up(hi.x), out.upper_y = round_up(hi.y), out.upper_z = round_up(hi.z);
 }
@@ -96,19 +112,11 @@ class EmbreeAccel final : public Accel {
     collect(all);
     device_ = rtcNewDevice(nullptr);
     scene_ = rtcNewScene(device_);
-    const dvec3 center = box_.empty() ? dvec3(0.0) : (box_.lo + box_.hi) * 0.5;
-    // Embree rounds our ray to single precision and steps along it in single precision: errors of
-    // a few 2^-24 of the scene's size, which the boxes must cover.
-    const dvec3 extent = box_.empty() ? dvec3(0.0) : box_.hi - box_.lo;
-    const double pad = 1e-6 * std::max({extent.x, extent.y, extent.z});
     members_.reserve(all.size());
     for (const Targets* targets : all) {
-      if (targets->size() > 0) attach(members_.emplace_back(Member{targets, center, pad}));
+      if (targets->size() > 0) attach(members_.emplace_back(Member{targets, &region_}));
     }
     rtcCommitScene(scene_);
-    center_ = center;
-    box_.lo -= pad;
-    box_.hi += pad;
   }
   ~EmbreeAccel() override {
     rtcReleaseScene(scene_);
@@ -118,7 +126,7 @@ class EmbreeAccel final : public Accel {
   EmbreeAccel& operator=(const EmbreeAccel&) = delete;
 
   void closest(RayQuery& query) const override {
-    for (const Lone& lone : infinite_) lone.targets->nearest(*lone.targets, lone.index, query);
+    for (const Lone& lone : lone_) lone.targets->nearest(*lone.targets, lone.index, query);
     Travelling context;
     RTCRayHit rayhit;
     if (!prepare(query, context, rayhit.ray)) return;
@@ -135,7 +143,7 @@ class EmbreeAccel final : public Accel {
   }
 
   bool any(RayQuery& query) const override {
-    for (const Lone& lone : infinite_) {
+    for (const Lone& lone : lone_) {
       lone.targets->nearest(*lone.targets, lone.index, query);
       if (query.found.store != nullptr) return true;
     }
@@ -158,15 +166,49 @@ class EmbreeAccel final : public Accel {
     const Targets* targets;
     std::uint32_t index;
   };
+  struct Finite {
+    double reach;
+    Lone target;
+  };
 
+  /// A few huge or distant objects, a sky or a sun, would coarsen the boxes of all others: what
+  /// makes the region more than `dominance` times larger stays outside with the endless objects.
   void collect(std::span<const Targets* const> all) {
+    constexpr std::size_t most = 8;  // more such objects are a scene of their own
+    constexpr double dominance = 8;
+    std::vector<Finite> finite;
     for (const Targets* targets : all) {
       for (std::uint32_t i = 0; i < targets->size(); ++i) {
         const Bounds3 b = targets->surface_bounds(i);
         if (b.empty()) continue;
-        b.infinite() ? infinite_.push_back({targets, i}) : box_.add(b);
+        if (b.infinite()) {
+          lone_.push_back({targets, i});
+        } else {
+          finite.push_back({reach_of(b), {targets, i}});
+        }
       }
     }
+    if (finite.empty()) return;
+    const std::size_t few = std::min(most + 1, finite.size());
+    std::partial_sort(finite.begin(), finite.begin() + static_cast<std::ptrdiff_t>(few), finite.end(),
+                      [](const Finite& a, const Finite& b) { return a.reach > b.reach; });
+    std::size_t outside = 0;
+    for (std::size_t k = 1; k < few; ++k) {
+      if (finite[k - 1].reach > dominance * finite[k].reach) outside = k;
+    }
+    region_.reach = finite[outside].reach;
+    for (const Finite& f : finite) {
+      if (f.reach > region_.reach) {
+        lone_.push_back(f.target);
+      } else {
+        region_.box.add(f.target.targets->surface_bounds(f.target.index));
+      }
+    }
+    const dvec3 extent = region_.box.hi - region_.box.lo;
+    region_.center = (region_.box.lo + region_.box.hi) * 0.5;
+    region_.pad = 1e-6 * std::max({extent.x, extent.y, extent.z});
+    region_.box.lo -= region_.pad;
+    region_.box.hi += region_.pad;
   }
 
   void attach(Member& member) {
@@ -187,13 +229,13 @@ class EmbreeAccel final : public Accel {
   bool prepare(RayQuery& query, Travelling& context, RTCRay& ray) const {
     double t_from = query.t_from;
     double t_to = query.t_to;
-    if (box_.empty() || !BoxTree::clip(box_, query.ray.o, 1.0 / query.ray.d, t_from, t_to)) {
+    if (region_.box.empty() || !BoxTree::clip(region_.box, query.ray.o, 1.0 / query.ray.d, t_from, t_to)) {
       return false;
     }
     init_context(context);
     context.query = &query;
     context.t_start = t_from;
-    const dvec3 o = query.ray.at(t_from) - center_;
+    const dvec3 o = query.ray.at(t_from) - region_.center;
     ray.org_x = static_cast<float>(o.x);
     ray.org_y = static_cast<float>(o.y);
     ray.org_z = static_cast<float>(o.z);
@@ -212,9 +254,8 @@ class EmbreeAccel final : public Accel {
   RTCDevice device_ = nullptr;
   RTCScene scene_ = nullptr;
   std::vector<Member> members_;
-  std::vector<Lone> infinite_;
-  Bounds3 box_;  // of everything finite, padded
-  dvec3 center_{0.0};
+  std::vector<Lone> lone_;  // asked one by one
+  Region region_;
 };
 
 }  // namespace

@@ -32,6 +32,11 @@ bool box_in_solid(const Solid& solid, const Bounds3& box) {
 bool gates_open(std::uint32_t leaf, RayQuery& query) {
   const Parts& parts = *query.parts;
   for (auto g = parts.gate_of_leaf[leaf]; g != scene::none; g = parts.gates[g].outer) {
+    double t_from = t_min;
+    double t_to = query.t_to;
+    if (!BoxTree::clip(parts.gates[g].box, query.ray.o, 1.0 / query.ray.d, t_from, t_to)) {
+      return false;
+    }
     for (const std::uint32_t solid : parts.gates[g].solids) {
       if (!meets(parts.solids[solid], query)) return false;
     }
@@ -42,6 +47,8 @@ bool gates_open(std::uint32_t leaf, RayQuery& query) {
 bool gate_holds(const Parts& parts, std::uint32_t gate, const Bounds3& box) {
   if (box.infinite()) return false;
   for (auto g = gate; g != scene::none; g = parts.gates[g].outer) {
+    const Bounds3& cut = parts.gates[g].box;
+    if (!cut.contains(box.lo) || !cut.contains(box.hi)) return false;
     for (const std::uint32_t solid : parts.gates[g].solids) {
       if (!box_in_solid(parts.solids[solid], box)) return false;
     }

@@ -8,8 +8,10 @@
 
 namespace durer::tracer {
 
-/// `bounded_by`: a ray must hit or start inside each of these solids, and pass the outer gate.
+/// `bounded_by`: a ray must meet the box, hit or start inside each of these solids, and pass the
+/// outer gate.
 struct Gate {
+  Bounds3 box = Bounds3::everything();
   std::vector<std::uint32_t> solids;  // indices into Parts::solids
   std::uint32_t outer = scene::none;
 };

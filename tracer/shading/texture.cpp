@@ -27,7 +27,7 @@ std::size_t TextureStore::KeyHash::operator()(const Key& key) const {
 
 ProgramId TextureStore::add(const scene::TextureUse& use) {
   const scene::Texture& texture = scene_->textures[use.texture];
-  const Transform placement = has_pattern(texture) ? use.transform : Transform{};
+  const Transform placement = has_pattern(texture) ? use.transform.get() : Transform{};
   const auto [known, is_new] = known_.try_emplace({use.texture, placement.forward},
                                                   static_cast<ProgramId>(programs_.size()));
   if (!is_new) return known->second;
@@ -37,7 +37,7 @@ ProgramId TextureStore::add(const scene::TextureUse& use) {
   program.first_layer = static_cast<std::uint32_t>(layers_.size());
   for (std::size_t i = texture.layers.size(); i-- > 0;) {  // the last written is the outermost
     const scene::Layer& layer = texture.layers[i];
-    const PigmentId pigment = pigments_.add(layer.pigment, layer.transform.then(placement));
+    const PigmentId pigment = pigments_.add(layer.pigment, placement);
     layers_.push_back({pigment, finish + static_cast<std::uint32_t>(i)});
     program.opaque = program.opaque || pigments_.opaque(pigment);
   }

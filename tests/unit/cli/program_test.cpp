@@ -1,9 +1,11 @@
 // The program as a whole: files, streams and exit codes.
 #ifdef DURER_PROGRAM
 
+#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <thread>
 
@@ -114,18 +116,20 @@ TEST_CASE("program: interrupted, it ends with 2 and leaves the older picture", "
   folder.file("a.png", "older");
   const pid_t child = ::fork();
   if (child == 0) {
-    ::close(STDERR_FILENO);
-    ::execl(DURER_PROGRAM, "durer", "a.pov", "+W4000", "+H4000", "+A0", "+R9", "--quiet", nullptr);
+    ::dup2(::open("err", O_WRONLY | O_CREAT, 0666), STDERR_FILENO);
+    ::execl(DURER_PROGRAM, "durer", "a.pov", "+W8000", "+H8000", "+A0", "+R9", nullptr);
     ::_exit(127);
   }
-  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  for (int wait = 0; wait < 1000 && !has(read_file("err").value_or(""), "assumed_gamma"); ++wait) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));  // until the render has begun
+  }
   ::kill(child, SIGINT);
   int status = 0;
   ::waitpid(child, &status, 0);
   REQUIRE(WIFEXITED(status));
   CHECK(WEXITSTATUS(status) == 2);
   CHECK(read_file("a.png") == "older");
-  CHECK(std::distance(fs::directory_iterator("."), {}) == 2);
+  CHECK(std::distance(fs::directory_iterator("."), {}) == 3);  // scene, picture, messages
 }
 
 }  // namespace durer::cli

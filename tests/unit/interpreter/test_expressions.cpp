@@ -41,7 +41,7 @@ TEST_CASE("expressions: a component leaves the other slots behind", "[interprete
   const auto moved = [](const std::string& e) {
     const Run r = run("#declare A=<1,2,3>;\nsphere { 0, 1 translate " + e + " }");
     if (!r.scene) return r.errors.front();
-    const auto t = r.scene->objects.back().transform.forward.t;
+    const auto t = r.scene->objects.back().transform->forward.t;
     char out[64];
     std::snprintf(out, sizeof out, "%g %g %g", t.x, t.y, t.z);
     return std::string(out);

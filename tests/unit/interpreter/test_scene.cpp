@@ -30,15 +30,15 @@ TEST_CASE("scene: a copy takes its own transforms and textures", "[interpreter][
   const Run r = run("#declare S = sphere { 0, 1 pigment { rgb 1 } translate x }\n"
                     "object { S translate y }\nobject { S texture { pigment { rgbt .5 } } }");
   REQUIRE(r.scene);
-  CHECK(root(r, 0).transform.forward.t == dvec3(1, 1, 0));
-  CHECK(root(r, 0).texture.transform.forward.t == dvec3(1, 1, 0));
+  CHECK(root(r, 0).transform->forward.t == dvec3(1, 1, 0));
+  CHECK(root(r, 0).texture.transform->forward.t == dvec3(1, 1, 0));
   CHECK(r.scene->textures[root(r, 1).texture.texture].layers.size() == 2);
 }
 
 TEST_CASE("scene: a texture attached later is not moved", "[interpreter][textures]") {
   const Run r = run("sphere { 0, 1 translate x pigment { rgb 1 } translate y }");
   REQUIRE(r.scene);
-  CHECK(root(r).texture.transform.forward.t == dvec3(0, 1, 0));
+  CHECK(root(r).texture.transform->forward.t == dvec3(0, 1, 0));
 }
 
 TEST_CASE("scene: pigments, lists and maps", "[interpreter][textures]") {
@@ -84,7 +84,7 @@ TEST_CASE("scene: lights and their transforms", "[interpreter][lights]") {
   REQUIRE(r.scene);
   const auto& l = r.scene->lights.at(0);
   CHECK(l.position == dvec3(1, 2, 3));
-  CHECK(root(r).transform.forward.t == dvec3(0, 0, 1));
+  CHECK(root(r).transform->forward.t == dvec3(0, 0, 1));
   CHECK(l.kind == scene::Light::Kind::spotlight);
   CHECK(l.falloff_deg == 20);
   CHECK(l.shadowless);

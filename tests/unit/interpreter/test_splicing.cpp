@@ -40,7 +40,7 @@ TEST_CASE("splicing: a macro opens a block that its caller closes", "[interprete
   const Run r = run("#macro Open() union { sphere {0,1} #end\nOpen() sphere {x,1} translate y }");
   REQUIRE(r.scene);
   CHECK(root(r).children.size() == 2);
-  CHECK(root(r).transform.forward.t.y == 1);
+  CHECK(root(r).transform->forward.t.y == 1);
 }
 
 TEST_CASE("splicing: directives between operands", "[interpreter][splicing]") {

@@ -46,9 +46,9 @@ TEST_CASE("flatten: a texture moves with what stands around its object", "[trace
   REQUIRE(f.leaves.size() == 3);
   const auto use = [&](std::size_t leaf) { return f.surfaces[f.leaves[leaf].surface].texture; };
   CHECK(use(0).texture == 1);
-  CHECK(use(0).transform.point({1, 1, 1}) == dvec3(3, 9, 2));  // scaled, then moved by both unions
+  CHECK(use(0).transform->point({1, 1, 1}) == dvec3(3, 9, 2));  // scaled, then moved by both unions
   CHECK(use(1).texture == 2);
-  CHECK(use(1).transform.point({0, 0, 0}) == dvec3(0, 7, 5));
+  CHECK(use(1).transform->point({0, 0, 0}) == dvec3(0, 7, 5));
   CHECK(use(2).texture == 0);  // the default is not moved
   CHECK(use(2).transform.is_identity());
 }

@@ -52,7 +52,8 @@ TEST_CASE("hierarchy: Embree finds the hits of the linear scan", "[tracer][accel
   const Case c = GENERATE(Case{10, {0, 0, 0}, 10}, Case{10, {5000, 0, -300}, 10},
                           Case{200, {0, 0, 0}, 1e5}, Case{0.05, {1, 2, 3}, 100});
   CAPTURE(c.half, c.eye);
-  const SceneBuilder b = jumble(static_cast<std::uint64_t>(c.eye), 300, c.half, c.middle);
+  SceneBuilder b = jumble(static_cast<std::uint64_t>(c.eye), 300, c.half, c.middle);
+  b.show(primitive("sphere", {0, 0, 0, 1e6}));  // a sky
   Geometry embree = b.build(Hierarchy::embree);
   Geometry linear = b.build(Hierarchy::linear);
   embree.set_opaque(std::vector<bool>(embree.surfaces().size(), true));

@@ -70,8 +70,8 @@ TEST_CASE("finish: opacity of a filtering pigment follows the version", "[tracer
 
 TEST_CASE("finish: a layer filters everything below it", "[tracer][finish][layers]") {
   Wall s;
-  const scene::Layer below{plain(rgbft(0.1F, 0.2F, 0.9F)), diffuse(1), {}, {}};
-  const scene::Layer above{plain(rgbft(0.8F, 0.4F, 0.2F, 0, 0.5F)), diffuse(0.6F), {}, {}};
+  const scene::Layer below{plain(rgbft(0.1F, 0.2F, 0.9F)), diffuse(1), {}};
+  const scene::Layer above{plain(rgbft(0.8F, 0.4F, 0.2F, 0, 0.5F)), diffuse(0.6F), {}};
   s.add("plane", {0, 0, 1, 0}, s.layers({below, above}));
   check_pixel(s.scene, {0.205066F, 0.155566F, 0.360632F});
 }

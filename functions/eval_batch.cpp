@@ -1,0 +1,38 @@
+#include <algorithm>
+
+#include "functions/machine.h"
+
+namespace durer::functions {
+
+void call_external(const External& e, const Context& c, const Pack* a, Pack* out) {
+  if (e.batch != nullptr) return e.batch(e.self.get(), c, a, out);
+  std::array<double, max_internal_arguments> point{};
+  std::array<double, max_components> result{};
+  for (int lane = 0; lane < Pack::lanes; ++lane) {
+    for (int i = 0; i < e.arity; ++i) point[i] = a[i].v[lane];
+    e.point(e.self.get(), c, point.data(), result.data());
+    for (int i = 0; i < e.components; ++i) out[i].v[lane] = result[i];
+  }
+}
+
+void evaluate_batch(const Function& f, std::span<const double* const> arguments, std::size_t n,
+                    double* out, Workspace& w) {
+  for (std::size_t first = 0; first < n; first += Pack::lanes) {
+    const std::size_t lanes = std::min<std::size_t>(Pack::lanes, n - first);
+    execute<Pack>(
+        f, w,
+        [&](Pack* frame) {
+          for (std::size_t i = 0; i < arguments.size(); ++i) {
+            const double* from = arguments[i] + first;
+            for (std::size_t lane = 0; lane < Pack::lanes; ++lane) {
+              frame[i].v[lane] = from[std::min(lane, lanes - 1)];  // idle lanes repeat the last
+            }
+          }
+        },
+        [&](const Pack* frame) {
+          std::copy_n(frame[f.results[0]].v.begin(), lanes, out + first);
+        });
+  }
+}
+
+}  // namespace durer::functions

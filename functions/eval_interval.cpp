@@ -1,0 +1,20 @@
+#include <algorithm>
+
+#include "functions/machine.h"
+
+namespace durer::functions {
+
+void call_external(const External& e, const Context& c, const Interval* a, Interval* out) {
+  if (e.box != nullptr) return e.box(e.self.get(), c, a, out);
+  std::fill_n(out, e.components, Interval::entire(true));
+}
+
+Interval evaluate_interval(const Function& f, std::span<const Interval> arguments, Workspace& w) {
+  Interval result;
+  execute<Interval>(
+      f, w, [&](Interval* frame) { std::copy(arguments.begin(), arguments.end(), frame); },
+      [&](const Interval* frame) { result = frame[f.results[0]]; });
+  return result;
+}
+
+}  // namespace durer::functions
