@@ -43,8 +43,9 @@ struct Guest {
 };
 
 const std::vector<Guest> guests{
-    {"tao/", {"grammar/parse.cpp", "grammar/tokens.h", "grammar/expressions.h", "grammar/items.h",
-              "grammar/directives.h", "grammar/messages.h", "grammar/actions.h"}},
+    {"tao/",
+     {"grammar/parse.cpp", "grammar/tokens.h", "grammar/expressions.h", "grammar/items.h",
+      "grammar/directives.h", "grammar/messages.h", "grammar/actions.h"}},
     {"embree", {"tracer/accel/"}},
     {"tbb/", {"tracer/film/"}},
     {"oneapi/", {"tracer/film/"}},
@@ -59,7 +60,9 @@ struct Include {
   int line = 0;
 };
 
-bool is_source(const fs::path& path) { return path.extension() == ".h" || path.extension() == ".cpp"; }
+bool is_source(const fs::path& path) {
+  return path.extension() == ".h" || path.extension() == ".cpp";
+}
 
 std::vector<std::string> sources() {
   std::vector<std::string> all;
@@ -107,8 +110,8 @@ std::vector<std::string> offences(Allowed&& allowed) {
 }
 
 const Folder* find_folder(std::string_view name) {
-  const auto at = std::find_if(house.begin(), house.end(),
-                               [name](const Folder& f) { return f.name == name; });
+  const auto at =
+      std::find_if(house.begin(), house.end(), [name](const Folder& f) { return f.name == name; });
   return at == house.end() ? nullptr : &*at;
 }
 
