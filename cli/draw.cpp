@@ -135,7 +135,7 @@ std::string kitty(const image::Image& image, const image::Encoding& encoding, in
   std::string out;
   for (std::size_t at = 0; at < data.size(); at += 4096) {
     const int more = at + 4096 < data.size() ? 1 : 0;
-    out += fmt::format("\x1b_G{}m={};{}\x1b\\", at == 0 ? "f=100,a=T," : "", more,
+    out += fmt::format("\x1b_G{}m={};{}\x1b\\", at == 0 ? "f=100,a=T,q=2," : "", more,
                        data.substr(at, 4096));
   }
   return out + '\n';
