@@ -39,9 +39,12 @@ std::string base64(std::span<const unsigned char> bytes) {
 
 /// One of 216 colours: 6 levels per channel, between two levels by a 4×4 Bayer pattern.
 int palette_index(const Rgb& c, int x, int y) {
-  static constexpr std::array<int, 16> bayer = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
+  static constexpr std::array<int, 16> bayer = {0, 8,  2, 10, 12, 4, 14, 6,
+                                                3, 11, 1, 9,  15, 7, 13, 5};
   const int threshold = bayer[(y % 4) * 4 + x % 4] * 51 / 16;
-  const auto level = [&](unsigned v) { return std::min(5, (static_cast<int>(v) + threshold) / 51); };
+  const auto level = [&](unsigned v) {
+    return std::min(5, (static_cast<int>(v) + threshold) / 51);
+  };
   return level(c.r) * 36 + level(c.g) * 6 + level(c.b);
 }
 
@@ -77,8 +80,8 @@ std::string sixel_band(const std::vector<int>& indices, int width) {
 
 image::Image shrunk(const image::Image& image, int columns) {
   if (image.width <= columns) return image;
-  const int rows = std::max(1, static_cast<int>(std::lround(
-                                   static_cast<double>(image.height) * columns / image.width)));
+  const int rows = std::max(
+      1, static_cast<int>(std::lround(static_cast<double>(image.height) * columns / image.width)));
   image::Image out(columns, rows);
   const auto edge = [](int i, int from, int to) {
     return static_cast<int>(static_cast<std::int64_t>(i) * from / to);

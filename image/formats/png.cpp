@@ -8,7 +8,8 @@ namespace {
 Encoded encode(const Image& image, const Encoding& encoding) {
   const Depth depth = depth_for(encoding.greyscale ? 16 : encoding.bits);
   Attributes attributes = curve_attributes(stored_curve(encoding));
-  if (encoding.compression >= 0) attributes.emplace_back("png:compressionLevel", encoding.compression);
+  if (encoding.compression >= 0)
+    attributes.emplace_back("png:compressionLevel", encoding.compression);
   return file_of_codes("png", image, to_codes(image, encoding, depth, encoding.alpha),
                        std::move(attributes));
 }
