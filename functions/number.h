@@ -11,6 +11,7 @@
 #include "base/interval.h"
 #include "functions/noise.h"
 #include "functions/pack.h"
+#include "functions/simd/inline.h"
 
 namespace durer::functions {
 
@@ -46,7 +47,7 @@ template <class Mask, class A, class B>
 
 // ---- conversion to a 32-bit integer and back; what does not fit becomes -2^31 --------------------
 [[nodiscard]] inline double truncated32(double v) {
-  return v > -2147483649.0 && v < 2147483648.0 ? std::trunc(v) + 0.0 : -2147483648.0;
+  return simd::to_int32(v);
 }
 [[nodiscard]] inline Pack truncated32(const Pack& a) {
   return pack_detail::map(a, [](double v) { return truncated32(v); });
@@ -73,9 +74,6 @@ template <class T>
 }
 
 // ---- scalar noise over each kind; generator already resolved to 0..3 ------------------------------
-[[nodiscard]] inline double noise(double x, double y, double z, NoiseGenerator g) {
-  return noise(dvec3(x, y, z), g);
-}
 [[nodiscard]] Pack noise(const Pack& x, const Pack& y, const Pack& z, NoiseGenerator g);
 
 /// If `p` is one number for the whole batch or box, that number.

@@ -51,15 +51,16 @@ T ridged_mf_sum(T x, T y, T z, const double* p) {
   const NoiseGenerator g = generator_of(generator);
   T signal = sqr(offset - abs(signed_noise(x, y, z, g)));
   T result = signal;
-  double frequency = 1;
+  const double falloff = std::pow(lacunarity, -H);
+  double weight_of_octave = 1;
   for (int i = 1; i < octaves; ++i) {
     x *= lacunarity;
     y *= lacunarity;
     z *= lacunarity;
-    frequency *= lacunarity;
+    weight_of_octave *= falloff;
     const T weight = min(T(1), max(T(signal * gain), T(0)));
     signal = sqr(offset - abs(signed_noise(x, y, z, g))) * weight;
-    result += signal * std::pow(frequency, -H);
+    result += signal * weight_of_octave;
   }
   return result;
 }
