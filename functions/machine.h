@@ -154,7 +154,7 @@ class Machine {
     } else {  // positive: neither negative nor zero, so that NaN counts as positive
       const auto negative = lt(condition, T(0));
       return two_way ? where(negative, others, value)
-                     : where(negative | eq(condition, T(0)), others, value);
+                     : where(either(negative, eq(condition, T(0))), others, value);
     }
   }
 

@@ -33,6 +33,13 @@ using std::abs, std::acos, std::acosh, std::asin, std::asinh, std::atan, std::at
 [[nodiscard]] inline bool all(Tri m) { return !m.can_be_false; }
 [[nodiscard]] inline bool none(Tri m) { return !m.can_be_true; }
 
+[[nodiscard]] inline bool both(bool a, bool b) { return a && b; }
+[[nodiscard]] inline bool either(bool a, bool b) { return a || b; }
+[[nodiscard]] inline Tri both(Tri a, Tri b) { return a & b; }
+[[nodiscard]] inline Tri either(Tri a, Tri b) { return a | b; }
+[[nodiscard]] inline PackMask both(const PackMask& a, const PackMask& b) { return a & b; }
+[[nodiscard]] inline PackMask either(const PackMask& a, const PackMask& b) { return a | b; }
+
 template <class T>
 [[nodiscard]] T truth(const decltype(lt(T(), T()))& m) {
   return where(m, T(1), T(0));
