@@ -14,7 +14,7 @@ std::string_view code_text(Code code) {
 }
 
 void Diagnostics::report(Diagnostic d) {
-  if (d.severity == Severity::error) ++errors_;
+  if (d.severity == Severity::error && ++errors_ > max_errors) return;
   all_.push_back(std::move(d));
 }
 

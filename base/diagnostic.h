@@ -48,9 +48,16 @@ class Diagnostics {
  public:
   explicit Diagnostics(const SourceMap& sources) : sources_(&sources) {}
 
+  /// More errors than anybody reads at once.
+  static constexpr std::size_t max_errors = 20;
+
   void report(Diagnostic d);
   [[nodiscard]] bool has_errors() const { return errors_ > 0; }
   [[nodiscard]] const std::vector<Diagnostic>& all() const { return all_; }
+  /// Errors that were not kept because there were enough already.
+  [[nodiscard]] std::size_t dropped_errors() const {
+    return errors_ > max_errors ? errors_ - max_errors : 0;
+  }
   [[nodiscard]] const SourceMap& sources() const { return *sources_; }
 
  private:

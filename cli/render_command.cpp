@@ -28,6 +28,9 @@ void print_diagnostics(const Diagnostics& diagnostics, const Settings& settings,
     console.print(is_error ? Stream::fatal : Stream::warning,
                   render_diagnostic(d, diagnostics.sources(), colour_wanted()));
   }
+  if (const std::size_t more = diagnostics.dropped_errors(); more > 0) {
+    console.print(Stream::fatal, fmt::format("and {} more error{}\n", more, more == 1 ? "" : "s"));
+  }
 }
 
 int fail(Console& console, const std::string& message) {

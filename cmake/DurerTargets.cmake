@@ -6,6 +6,8 @@ add_library(durer::warnings ALIAS durer_warnings)
 target_compile_options(durer_warnings INTERFACE
   # GCC 12 warns of overlaps in std::string that are not there (GCC bug 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+  # With sanitizers it also sees uninitialised members in std::regex.
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${DURER_SANITIZE}>>:-Wno-maybe-uninitialized>
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror=switch
   $<$<BOOL:${DURER_WARNINGS_AS_ERRORS}>:-Werror>)
 
