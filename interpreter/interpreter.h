@@ -201,6 +201,10 @@ class Interpreter {
   void expect_open(std::string_view block);
   void expect_close(std::string_view block, Span opened);
   [[noreturn]] void unexpected(const Token& token, std::string_view expected);
+  /// What stands where a setting of `block` should: names the nearest of `settings`, which are
+  /// separated by blanks.
+  [[noreturn]] void bad_setting(const Token& token, std::string_view block, Span opened,
+                                std::string_view settings);
   /// Skips to the end of the block whose opening brace has been read.
   void skip_block();
   Value skip_unsupported(std::string_view feature, Span span);

@@ -89,6 +89,31 @@ void Interpreter::unexpected(const Token& t, std::string_view expected) {
        fmt::format("expected {}, found {}", expected, describe(t)));
 }
 
+void Interpreter::bad_setting(const Token& t, std::string_view block, Span opened,
+                              std::string_view settings) {
+  const auto* name = t.node<ast::Name>();
+  const bool undeclared =
+      name != nullptr && !symbols_.reserved(name->name) && env_.find(name->name) == nullptr;
+  if (t.kind != Token::Kind::word && !undeclared) {
+    unexpected(t, fmt::format("a setting of `{}` or `}}`", block));
+  }
+  const std::string_view word = name_of(undeclared ? name->name : t.word);
+  Diagnostic d;
+  d.code = Code::unknown_setting;
+  d.span = t.span;
+  d.message = fmt::format("`{}` has no setting `{}`", block, word);
+  d.at = "unknown setting";
+  if (opened.begin != 0) d.labels.push_back({opened, "in this block"});
+  std::vector<std::string_view> words;
+  for (std::size_t at = 0; at < settings.size();) {
+    const std::size_t end = std::min(settings.find(' ', at), settings.size());
+    words.push_back(settings.substr(at, end - at));
+    at = end + 1;
+  }
+  if (const auto near = closest(word, words)) d.help.push_back(fmt::format("did you mean `{}`?", *near));
+  fail(std::move(d));
+}
+
 void Interpreter::skip_block() {
   for (std::size_t depth = 1; depth > 0;) {
     const Token t = next();

@@ -59,7 +59,11 @@ void Interpreter::read_light_items(scene::Object& o, scene::Light& l, const Toke
       o.transform = o.transform.then(*transform);
       continue;
     }
-    if (t.kind != Token::Kind::word) unexpected(t, "a setting of `light_source`");
+    static constexpr std::string_view settings =
+        "spotlight cylinder parallel shadowless point_at radius falloff tightness area_light adaptive "
+        "jitter circular orient area_illumination fade_distance fade_power media_attenuation "
+        "media_interaction looks_like projected_through translate rotate scale transform";
+    if (t.kind != Token::Kind::word) bad_setting(t, "light_source", word.span, settings);
     switch (t.word) {
       case w::spotlight:
         l.kind = scene::Light::Kind::spotlight;
@@ -109,19 +113,19 @@ void Interpreter::read_light_items(scene::Object& o, scene::Light& l, const Toke
         unsupported("a colour map in a light source");
         read_colour_map();
         break;
-      default: {
-        Diagnostic d;
-        d.code = Code::unknown_setting;
-        d.span = t.span;
-        d.message = fmt::format("`light_source` has no setting `{}`", name_of(t.word));
-        d.labels.push_back({word.span, "in this block"});
-        fail(std::move(d));
-      }
+      default: bad_setting(t, "light_source", word.span, settings);
     }
   }
 }
 
 // ---- cameras ----------------------------------------------------------------------------------------
+
+namespace {
+constexpr std::string_view camera_settings =
+    "perspective orthographic fisheye ultra_wide_angle omnimax panoramic cylinder spherical location "
+    "direction right up sky look_at angle aperture blur_samples focal_point confidence variance bokeh "
+    "normal translate rotate scale matrix transform";
+}  // namespace
 
 Shared<CameraSpec> Interpreter::read_camera(Span span) {
   expect_open("camera");
@@ -137,13 +141,13 @@ Shared<CameraSpec> Interpreter::read_camera(Span span) {
       continue;
     }
     if (t.kind == Token::Kind::expr) {
-      const Value* v = lookup(*t.tree, t.expr, true);
+      const Value* v = lookup(*t.tree, t.expr, false);
       const auto* ref = v == nullptr ? nullptr : v->get<Shared<CameraSpec>>();
-      if (ref == nullptr) unexpected(t, "a camera or a setting of `camera`");
+      if (ref == nullptr) bad_setting(t, "camera", span, camera_settings);
       c = **ref;
       continue;
     }
-    if (t.kind != Token::Kind::word) unexpected(t, "a setting of `camera`");
+    if (t.kind != Token::Kind::word) bad_setting(t, "camera", span, camera_settings);
     switch (t.word) {
       case w::perspective: c.kind = scene::Camera::Kind::perspective; break;
       case w::orthographic: c.kind = scene::Camera::Kind::orthographic; break;
@@ -178,8 +182,7 @@ Shared<CameraSpec> Interpreter::read_camera(Span span) {
       case w::fisheye: case w::ultra_wide_angle: case w::omnimax: case w::panoramic:
       case w::spherical: case w::cylinder: case w::mesh_camera: case w::bokeh: case w::normal:
         not_supported(fmt::format("`{}` in a camera", name_of(t.word)), t.span);
-      default:
-        fail(Code::unknown_setting, t.span, fmt::format("`camera` has no setting `{}`", name_of(t.word)));
+      default: bad_setting(t, "camera", span, camera_settings);
     }
   }
   return std::make_shared<const CameraSpec>(std::move(c));
@@ -292,7 +295,10 @@ void Interpreter::read_global_settings(Span span) {
     const Token t = next();
     if (t.kind == Token::Kind::close) return;
     if (t.is_punct(';')) continue;
-    if (t.kind != Token::Kind::word) unexpected(t, "a setting of `global_settings`");
+    static constexpr std::string_view settings =
+        "adc_bailout ambient_light assumed_gamma charset hf_gray_16 irid_wavelength max_intersections "
+        "max_trace_level mm_per_unit noise_generator number_of_waves photons radiosity subsurface";
+    if (t.kind != Token::Kind::word) bad_setting(t, "global_settings", span, settings);
     switch (t.word) {
       case w::adc_bailout: s.adc_bailout = static_cast<float>(read_float()); break;
       case w::ambient_light: s.ambient_light = read_rgb(); break;
@@ -332,14 +338,7 @@ void Interpreter::read_global_settings(Span span) {
         break;
       case w::photons: case w::radiosity: case w::subsurface:
         not_supported(fmt::format("`{}` in global_settings", name_of(t.word)), t.span);
-      default: {
-        Diagnostic d;
-        d.code = Code::unknown_setting;
-        d.span = t.span;
-        d.message = fmt::format("`global_settings` has no setting `{}`", name_of(t.word));
-        d.labels.push_back({span, "in this block"});
-        fail(std::move(d));
-      }
+      default: bad_setting(t, "global_settings", span, settings);
     }
   }
 }

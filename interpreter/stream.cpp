@@ -9,9 +9,8 @@
 namespace durer::interpreter {
 namespace {
 
-// Deeper than any scene needs (the oracle stops below 100), shallow enough for the machine stack:
-// a macro call inside an expression recurses in C++.
-constexpr std::size_t max_macro_depth = 1000;
+// Deeper than any scene needs, shallow enough for the machine stack: a macro call inside an
+// expression recurses in C++.
 constexpr std::size_t max_nesting = 4000;
 constexpr std::size_t max_frames = 20000;
 

@@ -114,7 +114,7 @@ scene::TextureId Interpreter::read_texture_body(scene::Texture t, Span span) {
     if (token.is_punct(';')) continue;
     if (token.kind == Token::Kind::expr) {
       // Identifiers replace a part: `texture { MyPigment MyFinish }`.
-      const Value* v = lookup(*token.tree, token.expr, true);
+      const Value* v = lookup(*token.tree, token.expr, false);
       scene::Layer& top = t.layers.back();
       if (v != nullptr && v->get<Shared<scene::Pigment>>() != nullptr) {
         top.pigment = **v->get<Shared<scene::Pigment>>();
@@ -123,7 +123,7 @@ scene::TextureId Interpreter::read_texture_body(scene::Texture t, Span span) {
       } else if (v != nullptr && v->get<Shared<Unsupported>>() != nullptr) {
         if (top.unsupported.empty()) top.unsupported = (*v->get<Shared<Unsupported>>())->feature;
       } else {
-        unexpected(token, "a pigment, normal, finish or transformation in `texture`");
+        bad_setting(token, "texture", span, "pigment normal finish translate rotate scale matrix transform");
       }
       continue;
     }
@@ -145,12 +145,7 @@ scene::TextureId Interpreter::read_texture_body(scene::Texture t, Span span) {
       skip_block();
       break;
     }
-    Diagnostic d;
-    d.code = Code::unknown_setting;
-    d.span = token.span;
-    d.message = fmt::format("`texture` has no setting `{}`", name_of(token.word));
-    d.labels.push_back({span, "in this block"});
-    fail(std::move(d));
+    bad_setting(token, "texture", span, "pigment normal finish translate rotate scale matrix transform");
   }
   return add_texture(std::move(t));
 }
@@ -173,6 +168,14 @@ bool Interpreter::is_pattern_word(SymbolId word) const {
     default: return false;
   }
 }
+
+namespace {
+constexpr std::string_view pigment_settings =
+    "color rgb rgbf rgbt rgbft checker brick hexagon gradient agate bozo bumps cells crackle "
+    "cylindrical dents granite leopard marble onion planar quilted radial ripples spherical spotted "
+    "waves wood wrinkles image_map color_map pigment_map turbulence frequency phase warp "
+    "translate rotate scale matrix transform quick_color";
+}  // namespace
 
 scene::Pigment Interpreter::read_pigment(scene::Pigment start) {
   expect_open("pigment");
@@ -208,6 +211,10 @@ void Interpreter::read_pigment_body(scene::Pigment& p, Token::Kind last) {
         continue;
       }
     }
+    if (const auto* name = t.node<ast::Name>();
+        name != nullptr && !symbols_.reserved(name->name) && env_.find(name->name) == nullptr) {
+      bad_setting(t, "pigment", {}, pigment_settings);
+    }
     if (starts_colour(t) || t.kind == Token::Kind::expr || t.is_punct('-')) {
       p.colour = read_colour_num(t.kind != Token::Kind::word).colour();
       p.pattern = scene::none;
@@ -229,7 +236,7 @@ void Interpreter::read_pigment_body(scene::Pigment& p, Token::Kind last) {
       skip_to(last);
       return;
     }
-    fail(Code::unknown_setting, t.span, fmt::format("`pigment` has no setting `{}`", name_of(t.word)));
+    bad_setting(t, "pigment", {}, pigment_settings);
   }
 }
 
@@ -421,8 +428,11 @@ ColourMap Interpreter::read_pigment_map() {
 // ---- finishes (shading §4.1) --------------------------------------------------------------------------
 
 scene::Finish Interpreter::read_finish(scene::Finish f) {
-  expect_open("finish");
+  static constexpr std::string_view settings =
+      "ambient emission diffuse brilliance phong phong_size specular roughness metallic crand "
+      "conserve_energy reflection reflection_exponent irid subsurface ior caustics refraction";
   const Span opened = peek().span;
+  expect_open("finish");
   bool diffuse_albedo = false;
   bool phong_albedo = false;
   bool specular_albedo = false;
@@ -431,13 +441,13 @@ scene::Finish Interpreter::read_finish(scene::Finish f) {
     if (t.kind == Token::Kind::close) break;
     if (t.is_punct(';')) continue;
     if (t.kind == Token::Kind::expr) {
-      const Value* v = lookup(*t.tree, t.expr, true);
+      const Value* v = lookup(*t.tree, t.expr, false);
       const auto* ref = v == nullptr ? nullptr : v->get<Shared<scene::Finish>>();
-      if (ref == nullptr) unexpected(t, "a finish or a setting of `finish`");
+      if (ref == nullptr) bad_setting(t, "finish", opened, settings);
       f = **ref;
       continue;
     }
-    if (t.kind != Token::Kind::word) unexpected(t, "a setting of `finish`");
+    if (t.kind != Token::Kind::word) bad_setting(t, "finish", opened, settings);
     const auto number = [&] { return static_cast<float>(read_float()); };
     switch (t.word) {
       case w::ambient: f.ambient = read_rgb(); break;
@@ -492,14 +502,7 @@ scene::Finish Interpreter::read_finish(scene::Finish f) {
       case w::ior: f.ior = number(); break;
       case w::caustics: f.caustics = number(); break;
       case w::refraction: f.refraction = number(); break;
-      default: {
-        Diagnostic d;
-        d.code = Code::unknown_setting;
-        d.span = t.span;
-        d.message = fmt::format("`finish` has no setting `{}`", name_of(t.word));
-        d.labels.push_back({opened, "in this block"});
-        fail(std::move(d));
-      }
+      default: bad_setting(t, "finish", opened, settings);
     }
   }
   // `albedo` uses the final exponents, whatever the order they were written in.
@@ -559,6 +562,9 @@ void Interpreter::read_reflection(scene::Finish& f) {
 // ---- interiors and materials ---------------------------------------------------------------------------
 
 scene::InteriorId Interpreter::read_interior() {
+  static constexpr std::string_view settings =
+      "ior dispersion dispersion_samples caustics fade_distance fade_power fade_color refraction media";
+  const Span opened = peek().span;
   expect_open("interior");
   scene::Interior i;
   i.origin = origin(peek().span);
@@ -567,17 +573,17 @@ scene::InteriorId Interpreter::read_interior() {
     if (t.kind == Token::Kind::close) break;
     if (t.is_punct(';')) continue;
     if (t.kind == Token::Kind::expr) {
-      const Value* v = lookup(*t.tree, t.expr, true);
+      const Value* v = lookup(*t.tree, t.expr, false);
       if (v != nullptr && v->get<InteriorRef>() != nullptr) {
         i = scene_.interiors[v->get<InteriorRef>()->id];
       } else if (v != nullptr && v->get<Shared<Unsupported>>() != nullptr) {
         i.unsupported = (*v->get<Shared<Unsupported>>())->feature;
       } else {
-        unexpected(t, "an interior or a setting of `interior`");
+        bad_setting(t, "interior", opened, settings);
       }
       continue;
     }
-    if (t.kind != Token::Kind::word) unexpected(t, "a setting of `interior`");
+    if (t.kind != Token::Kind::word) bad_setting(t, "interior", opened, settings);
     switch (t.word) {
       case w::ior: i.ior = read_float(); break;
       case w::dispersion: i.dispersion = read_float(); break;
@@ -595,8 +601,7 @@ scene::InteriorId Interpreter::read_interior() {
         expect_open("media");
         skip_block();
         break;
-      default:
-        fail(Code::unknown_setting, t.span, fmt::format("`interior` has no setting `{}`", name_of(t.word)));
+      default: bad_setting(t, "interior", opened, settings);
     }
   }
   scene_.interiors.push_back(std::move(i));

@@ -112,7 +112,9 @@ TEST_CASE("scene: what is not supported fails only when it is used", "[interpret
 }
 
 TEST_CASE("scene: messages name the block and the place", "[interpreter][diagnostics]") {
-  CHECK(error_of("sphere { 0, 1 finish { difuse 1 } }").substr(0, 5) == "D0203");
+  CHECK(error_of("sphere { 0, 1 finish { difuse 1 } }") == "D0214 at 1:24: `finish` has no setting `difuse`");
+  CHECK(error_of("camera { locaton 5 }") == "D0214 at 1:10: `camera` has no setting `locaton`");
+  CHECK(error_of("sphere { 0, 1 pigment { chekcer } }") == "D0214 at 1:25: `pigment` has no setting `chekcer`");
   CHECK(error_of("sphere { 0, 1 radius }") == "D0214 at 1:15: `sphere` takes no `radius` here");
   CHECK(error_of("sphere { 0, 1").substr(0, 5) == "D0102");
 }
