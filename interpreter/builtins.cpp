@@ -31,7 +31,7 @@ std::int32_t to_int(double v) {
 class Interpreter::Args {
  public:
   Args(Interpreter& in, const ast::Tree& tree, const ast::Expr& call, SymbolId function,
-       const std::vector<ast::ExprId>& list, const ast::OpenGroup* open)
+       std::span<const ast::ExprId> list, const ast::OpenGroup* open)
       : in_(in), tree_(tree), call_(call), function_(function), list_(list) {
     if (open != nullptr) part_.emplace(in, tree, open->items);
   }
@@ -114,7 +114,7 @@ class Interpreter::Args {
   const ast::Tree& tree_;
   const ast::Expr& call_;
   SymbolId function_;
-  const std::vector<ast::ExprId>& list_;
+  std::span<const ast::ExprId> list_;
   std::size_t used_ = 0;
   std::optional<Nested> part_;
 };
@@ -127,7 +127,7 @@ double Interpreter::days_since_2000() {
 }
 
 Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
-                              const std::vector<ast::ExprId>& list, const ast::OpenGroup* open,
+                              std::span<const ast::ExprId> list, const ast::OpenGroup* open,
                               int length) {
   Args args(*this, tree, e, function, list, open);
   const auto number = [&](double x) {
@@ -365,7 +365,7 @@ std::string Interpreter::format_number(double value, int width, int decimals) {
 }
 
 Text Interpreter::call_text_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
-                                    const std::vector<ast::ExprId>& list,
+                                    std::span<const ast::ExprId> list,
                                     const ast::OpenGroup* open) {
   Args args(*this, tree, e, function, list, open);
   const auto done = [&](Text t) {

@@ -154,33 +154,28 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
 
 // ---- arrays -----------------------------------------------------------------------------------
 
-std::optional<SymbolId> Interpreter::array_of(const ast::Expr& e) {
-  if (const auto* index = std::get_if<ast::Index>(&e.node)) return index->name;
-  if (const auto* g = std::get_if<ast::OpenGroup>(&e.node); g != nullptr && g->kind == ast::OpenGroup::Kind::index) {
-    return g->name;
-  }
-  return std::nullopt;
-}
-
-std::vector<Interpreter::Subscript> Interpreter::read_subscripts(const ast::Tree& tree, ast::Range list) {
-  std::vector<Subscript> out;
-  out.reserve(list.count);
+Interpreter::Subscripts Interpreter::read_subscripts(const ast::Tree& tree, ast::Range list) {
+  Subscripts out;
   for (std::uint32_t i = 0; i < list.count; ++i) {
     const ast::ExprId id = tree.expr_lists[list.first + i];
-    out.push_back({evaluate(tree, id, 1).v[0], tree.exprs[id].span});
+    if (!out.add({evaluate(tree, id, 1).v[0], tree.exprs[id].span})) {
+      fail(Code::limit, tree.exprs[id].span, "an array access has at most 20 subscripts");
+    }
   }
   return out;
 }
 
-std::vector<Interpreter::Subscript> Interpreter::read_subscripts(const ast::Tree& tree, ast::ExprId id) {
+Interpreter::Subscripts Interpreter::read_subscripts(const ast::Tree& tree, ast::ExprId id) {
   const ast::Expr& e = tree.exprs[id];
   if (const auto* index = std::get_if<ast::Index>(&e.node)) return read_subscripts(tree, index->subscripts);
   // Made by directives: one bracketed part per subscript.
-  std::vector<Subscript> out;
+  Subscripts out;
   const Nested part(*this, tree, std::get<ast::OpenGroup>(e.node).items);
   while (peek().kind == Token::Kind::bracket_open) {
     const Span span = next().span;
-    out.push_back({read_scalar("subscript"), span});
+    if (!out.add({read_scalar("subscript"), span})) {
+      fail(Code::limit, span, "an array access has at most 20 subscripts");
+    }
     const Token close = next();
     if (close.kind != Token::Kind::bracket_close) unexpected(close, "`]`");
   }
@@ -188,7 +183,7 @@ std::vector<Interpreter::Subscript> Interpreter::read_subscripts(const ast::Tree
 }
 
 /// Where the subscripts from number `used` on lead in `array`, row-major.
-std::size_t Interpreter::flat_index(const std::vector<Subscript>& list, const Array& array, Span span,
+std::size_t Interpreter::flat_index(const Subscripts& list, const Array& array, Span span,
                                     std::size_t& used) {
   std::size_t flat = 0;
   for (const std::size_t size : array.sizes) {
@@ -209,7 +204,7 @@ std::size_t Interpreter::flat_index(const std::vector<Subscript>& list, const Ar
   return flat;
 }
 
-Value* Interpreter::element(SymbolId name, const std::vector<Subscript>& list, Span span,
+Value* Interpreter::element(SymbolId name, const Subscripts& list, Span span,
                             bool for_writing, bool must_exist) {
   Value* v = Environment::value_of(env_.find(name));
   if (v == nullptr) unknown_name(name, span);
@@ -282,15 +277,6 @@ std::shared_ptr<Array> Interpreter::read_array(Span span) {
 
 // ---- macro calls -------------------------------------------------------------------------------
 
-namespace {
-struct Argument {
-  Value value;
-  Slot* target = nullptr;  // by reference
-  std::vector<std::size_t> path;
-  Span span;
-};
-}  // namespace
-
 /// Replaces the call `id` (a Call or an OpenGroup) by the body of its macro.
 void Interpreter::call_macro(const ast::Tree& tree, ast::ExprId id, bool flatten) {
   const ast::Expr& e = tree.exprs[id];
@@ -303,8 +289,8 @@ void Interpreter::call_macro(const ast::Tree& tree, ast::ExprId id, bool flatten
          "give the recursion an end: 1000 nested calls are the limit");
   }
 
-  std::vector<Argument> args;
-  args.reserve(macro.params.count);
+  // Arguments wait on a stack of their own: evaluating one may call macros in turn.
+  const std::size_t first = arguments_.size();
   const auto add = [&](const ast::Tree& t, ast::ExprId arg) {
     Argument a;
     a.span = t.exprs[arg].span;
@@ -327,7 +313,7 @@ void Interpreter::call_macro(const ast::Tree& tree, ast::ExprId id, bool flatten
     } else {
       a.value = evaluate_value(t, arg);
     }
-    args.push_back(std::move(a));
+    arguments_.push_back(std::move(a));
   };
 
   if (call != nullptr) {
@@ -352,17 +338,18 @@ void Interpreter::call_macro(const ast::Tree& tree, ast::ExprId id, bool flatten
       Argument a;
       a.span = t.span;
       a.value = read_value();
-      args.push_back(std::move(a));
+      arguments_.push_back(std::move(a));
       optional_comma();
     }
   }
-  if (args.size() != macro.params.count) {
+  const std::size_t given = arguments_.size() - first;
+  if (given != macro.params.count) {
     Diagnostic d;
     d.code = Code::missing_argument;
     d.span = e.span;
     d.message = fmt::format("macro `{}` takes {} argument{}, here {} {}", name_of(macro.name),
                             macro.params.count, macro.params.count == 1 ? "" : "s",
-                            args.size() == 1 ? "is" : "are", args.size());
+                            given == 1 ? "is" : "are", given);
     d.labels.push_back({macro.head, "the macro is defined here"});
     fail(std::move(d));
   }
@@ -380,7 +367,7 @@ void Interpreter::call_macro(const ast::Tree& tree, ast::ExprId id, bool flatten
   env_.open_scope();
   for (std::uint32_t i = 0; i < macro.params.count; ++i) {
     Slot& slot = env_.add(ref.tree->params[macro.params.first + i].name);
-    Argument& a = args[i];
+    Argument& a = arguments_[first + i];
     if (a.target != nullptr) {
       slot.target = a.target;
       slot.path = std::move(a.path);
@@ -388,6 +375,7 @@ void Interpreter::call_macro(const ast::Tree& tree, ast::ExprId id, bool flatten
       store(slot.value, std::move(a.value), false, nullptr, a.span);
     }
   }
+  arguments_.resize(first);
 }
 
 }  // namespace durer::interpreter

@@ -184,55 +184,65 @@ Num Interpreter::evaluate(const ast::Tree& tree, ast::ExprId id, int length) {
     part.finish("an operator or the end of this expression");
     return n;
   }
-  struct Visitor {
-    Interpreter& in;
-    const ast::Tree& tree;
-    const ast::Expr& e;
-    int length;
-
-    Num operator()(const ast::Number& n) const { return Num::filled(n.value, length); }
-    Num operator()(const ast::String&) const {
-      in.fail(Code::wrong_kind, e.span, "expected a number or vector, found a string");
+  // A switch over the alternatives, most frequent first in mind: this is the interpreter's inner loop.
+  enum Kind : std::size_t { number, string, name, paren, vector, unary_, binary_, conditional, call, index, member_, open };
+  switch (e.node.index()) {
+    case number: return Num::filled(std::get_if<ast::Number>(&e.node)->value, length);
+    case string: fail(Code::wrong_kind, e.span, "expected a number or vector, found a string");
+    case name: return evaluate_name(e, std::get_if<ast::Name>(&e.node)->name, length);
+    case paren: return evaluate_full(tree, std::get_if<ast::Paren>(&e.node)->inner, length);
+    case vector: return evaluate_vector(tree, *std::get_if<ast::Vector>(&e.node), e.span);
+    case unary_: {
+      const auto& u = *std::get_if<ast::Unary>(&e.node);
+      return unary(u.op, evaluate(tree, u.operand, length));
     }
-    Num operator()(const ast::Name& n) const { return in.evaluate_name(e, n.name, length); }
-    Num operator()(const ast::Paren& p) const { return in.evaluate_full(tree, p.inner, length); }
-    Num operator()(const ast::Vector& v) const { return in.evaluate_vector(tree, v, e.span); }
-    Num operator()(const ast::Unary& u) const {
-      return in.unary(u.op, in.evaluate(tree, u.operand, length));
+    case binary_: return evaluate_binary(tree, e, *std::get_if<ast::Binary>(&e.node), length);
+    case conditional: return evaluate_conditional(tree, e, *std::get_if<ast::Conditional>(&e.node), length);
+    case call: return evaluate_call(tree, e, *std::get_if<ast::Call>(&e.node), length);
+    case index: {
+      const auto& i = *std::get_if<ast::Index>(&e.node);
+      return value_as_num(*element(i.name, read_subscripts(tree, i.subscripts), e.span, false), e.span, length);
     }
-    Num operator()(const ast::Binary& b) const {
-      if (b.op >= ast::Op::lt && b.op <= ast::Op::gt && in.is_text(tree, b.left)) {
-        const Text l = in.evaluate_text(tree, b.left);
-        const Text r = in.evaluate_text(tree, b.right);
-        const int order = l < r ? -1 : (r < l ? 1 : 0);
-        return Num::filled(apply(b.op, order, 0), length);
-      }
-      const Num left = in.evaluate(tree, b.left, length);
-      return in.binary(b.op, left, in.evaluate(tree, b.right, left.length), e.span);
+    case member_: {
+      const auto& m = *std::get_if<ast::Member>(&e.node);
+      return member(evaluate(tree, m.object, 1), m.member, e.span, length);
     }
-    Num operator()(const ast::Conditional& c) const {
-      // Both branches are always evaluated: random streams advance (language §2.2).
-      const Num condition = in.evaluate_full(tree, c.condition, 1);
-      if (condition.length != 1) {
-        in.fail(Code::wrong_kind, e.span, "the condition of `?:` must be a float");
-      }
-      const bool first = std::abs(condition.v[0]) > epsilon;
-      const Num yes = in.evaluate_full(tree, c.yes, length);
-      const Num no = in.evaluate_full(tree, c.no, length);
-      return first ? yes : no;
-    }
-    Num operator()(const ast::Call& c) const { return in.evaluate_call(tree, e, c, length); }
-    Num operator()(const ast::Index& i) const {
-      return in.value_as_num(*in.element(i.name, in.read_subscripts(tree, i.subscripts), e.span, false),
-                             e.span, length);
-    }
-    Num operator()(const ast::Member& m) const {
-      return in.member(in.evaluate(tree, m.object, 1), m.member, e.span, length);
-    }
-    Num operator()(const ast::OpenGroup& g) const { return in.evaluate_open(tree, e, g, length); }
-  };
-  return std::visit(Visitor{*this, tree, e, length}, e.node);
+    case open: return evaluate_open(tree, e, *std::get_if<ast::OpenGroup>(&e.node), length);
+    default: break;
+  }
+  fail(Code::syntax, e.span, "an expression that cannot be evaluated");
 }
+
+Num Interpreter::evaluate_binary(const ast::Tree& tree, const ast::Expr& e, const ast::Binary& b, int length) {
+  if (b.op >= ast::Op::lt && b.op <= ast::Op::gt && is_text(tree, b.left)) {
+    const Text l = evaluate_text(tree, b.left);
+    const Text r = evaluate_text(tree, b.right);
+    const int order = l < r ? -1 : (r < l ? 1 : 0);
+    return Num::filled(apply(b.op, order, 0), length);
+  }
+  Num left = evaluate(tree, b.left, length);
+  const Num right = evaluate(tree, b.right, left.length);
+  if (left.length == 1 && right.length == 1) {  // floats, by far the commonest
+    if (b.op == ast::Op::div && right.v[0] == 0) {
+      warn(Code::evaluation, e.span, "division by zero; the result is infinite");
+    }
+    left.v[0] = apply(b.op, left.v[0], right.v[0]);
+    return left;
+  }
+  return binary(b.op, left, right, e.span);
+}
+
+Num Interpreter::evaluate_conditional(const ast::Tree& tree, const ast::Expr& e, const ast::Conditional& c,
+                                      int length) {
+  // Both branches are always evaluated: random streams advance (language §2.2).
+  const Num condition = evaluate_full(tree, c.condition, 1);
+  if (condition.length != 1) fail(Code::wrong_kind, e.span, "the condition of `?:` must be a float");
+  const bool first = std::abs(condition.v[0]) > epsilon;
+  const Num yes = evaluate_full(tree, c.yes, length);
+  const Num no = evaluate_full(tree, c.no, length);
+  return first ? yes : no;
+}
+
 
 Num Interpreter::evaluate_full(const ast::Tree& tree, ast::ExprId id, int length) {
   Num n = evaluate(tree, id, length);
@@ -316,9 +326,7 @@ Num Interpreter::evaluate_call(const ast::Tree& tree, const ast::Expr& e, const 
                                int length) {
   const auto* name = std::get_if<ast::Name>(&tree.exprs[call.callee].node);
   if (name != nullptr && symbols_.reserved(name->name)) {
-    std::vector<ast::ExprId> args(
-        tree.expr_lists.begin() + call.args.first,
-        tree.expr_lists.begin() + call.args.first + call.args.count);
+    const std::span args(tree.expr_lists.data() + call.args.first, call.args.count);
     return call_builtin(tree, e, name->name, args, nullptr, length);
   }
   const Value* v = lookup(tree, call.callee, true);
@@ -360,6 +368,10 @@ Value Interpreter::copy_of(const Value& v) { return v; }
 
 bool Interpreter::is_text(const ast::Tree& tree, ast::ExprId id) {
   const ast::Expr& e = tree.exprs[id];
+  if (std::holds_alternative<ast::Binary>(e.node) || std::holds_alternative<ast::Number>(e.node) ||
+      std::holds_alternative<ast::Vector>(e.node)) {
+    return false;
+  }
   if (std::holds_alternative<ast::String>(e.node)) return true;
   if (const auto* p = std::get_if<ast::Paren>(&e.node)) return is_text(tree, p->inner);
   if (std::holds_alternative<ast::Name>(e.node) || array_of(e)) {
@@ -402,8 +414,7 @@ Text Interpreter::evaluate_text(const ast::Tree& tree, ast::ExprId id, bool file
   }
   if (const Value* v = lookup(tree, id, true)) return **v->get<Shared<Text>>();
   if (const auto* c = std::get_if<ast::Call>(&e.node)) {
-    std::vector<ast::ExprId> args(tree.expr_lists.begin() + c->args.first,
-                                  tree.expr_lists.begin() + c->args.first + c->args.count);
+    const std::span args(tree.expr_lists.data() + c->args.first, c->args.count);
     return call_text_builtin(tree, e, std::get<ast::Name>(tree.exprs[c->callee].node).name, args,
                              nullptr);
   }

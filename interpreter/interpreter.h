@@ -100,15 +100,39 @@ class Interpreter {
     double value;
     Span span;
   };
-  std::vector<Subscript> read_subscripts(const ast::Tree& tree, ast::Range list);
+  /// The subscripts of one access: five dimensions, and arrays of arrays. Lives on the stack,
+  /// because array accesses stand in every hot loop.
+  class Subscripts {
+   public:
+    static constexpr std::size_t capacity = 20;
+    bool add(Subscript s) {
+      if (count_ == capacity) return false;
+      items_[count_++] = s;
+      return true;
+    }
+    [[nodiscard]] std::size_t size() const { return count_; }
+    const Subscript& operator[](std::size_t i) const { return items_[i]; }
+
+   private:
+    std::array<Subscript, capacity> items_;  // NOLINT: filled up to count_
+    std::size_t count_ = 0;
+  };
+  Subscripts read_subscripts(const ast::Tree& tree, ast::Range list);
   /// The same of an Index or OpenGroup(index).
-  std::vector<Subscript> read_subscripts(const ast::Tree& tree, ast::ExprId id);
-  Value* element(SymbolId name, const std::vector<Subscript>& subscripts, Span span,
-                 bool for_writing, bool must_exist = true);
-  std::size_t flat_index(const std::vector<Subscript>& subscripts, const Array& array, Span span,
+  Subscripts read_subscripts(const ast::Tree& tree, ast::ExprId id);
+  Value* element(SymbolId name, const Subscripts& subscripts, Span span, bool for_writing,
+                 bool must_exist = true);
+  std::size_t flat_index(const Subscripts& subscripts, const Array& array, Span span,
                          std::size_t& used);
   /// The array that an Index or OpenGroup(index) names; none for other expressions.
-  [[nodiscard]] static std::optional<SymbolId> array_of(const ast::Expr& e);
+  [[nodiscard]] static std::optional<SymbolId> array_of(const ast::Expr& e) {
+    if (const auto* index = std::get_if<ast::Index>(&e.node)) return index->name;
+    if (const auto* g = std::get_if<ast::OpenGroup>(&e.node);
+        g != nullptr && g->kind == ast::OpenGroup::Kind::index) {
+      return g->name;
+    }
+    return std::nullopt;
+  }
   void store(Value& target, Value value, bool is_element, const Array* array, Span span);
   void default_block();
   void set_version(double v, Span span);
@@ -137,6 +161,9 @@ class Interpreter {
   Num evaluate_call(const ast::Tree& tree, const ast::Expr& e, const ast::Call& call, int length);
   Num evaluate_name(const ast::Expr& e, SymbolId name, int length);
   Num evaluate_open(const ast::Tree& tree, const ast::Expr& e, const ast::OpenGroup& g, int length);
+  Num evaluate_binary(const ast::Tree& tree, const ast::Expr& e, const ast::Binary& b, int length);
+  Num evaluate_conditional(const ast::Tree& tree, const ast::Expr& e, const ast::Conditional& c,
+                           int length);
   Num evaluate_vector(const ast::Tree& tree, const ast::Vector& v, Span span);
   Num value_as_num(const Value& v, Span span, int length);
   Num binary(ast::Op op, Num left, Num right, Span span);
@@ -157,9 +184,9 @@ class Interpreter {
   class Args;
   friend class Args;
   Num call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
-                   const std::vector<ast::ExprId>& args, const ast::OpenGroup* open, int length);
+                   std::span<const ast::ExprId> args, const ast::OpenGroup* open, int length);
   Text call_text_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
-                         const std::vector<ast::ExprId>& args, const ast::OpenGroup* open);
+                         std::span<const ast::ExprId> args, const ast::OpenGroup* open);
   scene::ObjectId object_argument(const ast::Tree& tree, ast::ExprId id, Span call);
   [[nodiscard]] static double days_since_2000();
   std::string format_number(double value, int width, int decimals);
@@ -286,6 +313,14 @@ class Interpreter {
 
   std::vector<Frame> frames_;
   std::vector<Piece> pieces_;
+  /// Of macro calls whose scope is not open yet.
+  struct Argument {
+    Value value;
+    Slot* target = nullptr;  // by reference
+    std::vector<std::size_t> path;
+    Span span;
+  };
+  std::vector<Argument> arguments_;
   std::vector<Token> unread_;
   std::size_t unread_base_ = 0;  // tokens below belong to an outer reader
   std::size_t declare_depth_ = 0;  // frames when the value of a #declare is being read
