@@ -50,8 +50,8 @@ struct Bounds3 {
     if (empty() || infinite()) return empty() ? *this : everything();
     Bounds3 r;
     for (int i = 0; i < 8; ++i) {
-      r.add(m.point({(i & 1) != 0 ? hi.x : lo.x, (i & 2) != 0 ? hi.y : lo.y,
-                     (i & 4) != 0 ? hi.z : lo.z}));
+      r.add(m.point(
+          {(i & 1) != 0 ? hi.x : lo.x, (i & 2) != 0 ? hi.y : lo.y, (i & 4) != 0 ? hi.z : lo.z}));
     }
     return r;
   }

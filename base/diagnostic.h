@@ -35,9 +35,9 @@ struct Frame {
 struct Diagnostic {
   Severity severity = Severity::error;
   Code code = Code::syntax;
-  Span span;             // where; {0, 0} if it has no place in any file
-  std::string message;   // lower case, no full stop, expected before found
-  std::string at;        // optional words under the caret
+  Span span;            // where; {0, 0} if it has no place in any file
+  std::string message;  // lower case, no full stop, expected before found
+  std::string at;       // optional words under the caret
   std::vector<Label> labels;
   std::vector<std::string> help;  // actions, with the text to type
   std::vector<Frame> trace;
@@ -66,7 +66,8 @@ class Diagnostics {
   std::size_t errors_ = 0;
 };
 
-/// One diagnostic as text: claim, place, excerpt with caret, labels, help, notes; ends in a newline.
+/// One diagnostic as text: claim, place, excerpt with caret, labels, help, notes; ends in a
+/// newline.
 [[nodiscard]] std::string render_diagnostic(const Diagnostic& d, const SourceMap& sources,
                                             bool colour = false);
 

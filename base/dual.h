@@ -73,9 +73,7 @@ inline Dual& operator*=(Dual& a, const Dual& b) { return a = a * b; }
 [[nodiscard]] inline Dual acos(const Dual& a) {
   return {std::acos(a.v), dual_detail::chain(-1 / std::sqrt(1 - a.v * a.v), a.d)};
 }
-[[nodiscard]] inline Dual atan(const Dual& a) {
-  return {std::atan(a.v), a.d / (1 + a.v * a.v)};
-}
+[[nodiscard]] inline Dual atan(const Dual& a) { return {std::atan(a.v), a.d / (1 + a.v * a.v)}; }
 [[nodiscard]] inline Dual sinh(const Dual& a) { return {std::sinh(a.v), std::cosh(a.v) * a.d}; }
 [[nodiscard]] inline Dual cosh(const Dual& a) { return {std::cosh(a.v), std::sinh(a.v) * a.d}; }
 [[nodiscard]] inline Dual tanh(const Dual& a) {

@@ -13,8 +13,7 @@ float GammaCurve::decode(float x) const {
   switch (kind) {
     case Kind::linear: return x;
     case Kind::power: return std::pow(std::max(x, 0.0F), gamma);
-    case Kind::srgb:
-      return x < 0.04045F ? x / 12.92F : std::pow((x + 0.055F) / 1.055F, 2.4F);
+    case Kind::srgb: return x < 0.04045F ? x / 12.92F : std::pow((x + 0.055F) / 1.055F, 2.4F);
   }
   return x;
 }
@@ -23,8 +22,7 @@ float GammaCurve::encode(float x) const {
   switch (kind) {
     case Kind::linear: return x;
     case Kind::power: return std::pow(std::max(x, 0.0F), 1 / gamma);
-    case Kind::srgb:
-      return x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1 / 2.4F) - 0.055F;
+    case Kind::srgb: return x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1 / 2.4F) - 0.055F;
   }
   return x;
 }

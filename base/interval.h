@@ -10,9 +10,10 @@ namespace durer {
 
 /// A closed range [lo, hi] of doubles, possibly unbounded.
 /// Contract: the result of an operation encloses every number that the same operation on doubles
-/// *computes* from operands inside the ranges. Rounding to nearest is monotone, so + - * / sqrt need
-/// no outward rounding for that; functions of the C library, which promise no monotony, are padded.
-/// `nan` says that some operands inside the ranges may give NaN; [lo, hi] encloses the other results.
+/// *computes* from operands inside the ranges. Rounding to nearest is monotone, so + - * / sqrt
+/// need no outward rounding for that; functions of the C library, which promise no monotony, are
+/// padded. `nan` says that some operands inside the ranges may give NaN; [lo, hi] encloses the
+/// other results.
 struct Interval {
   double lo = 0;
   double hi = 0;
@@ -29,7 +30,9 @@ struct Interval {
     constexpr double inf = std::numeric_limits<double>::infinity();
     return {-inf, inf, may_be_nan};
   }
-  [[nodiscard]] constexpr bool contains(double v) const { return v != v ? nan : lo <= v && v <= hi; }
+  [[nodiscard]] constexpr bool contains(double v) const {
+    return v != v ? nan : lo <= v && v <= hi;
+  }
   [[nodiscard]] constexpr bool is_point() const { return lo == hi && !nan; }
   [[nodiscard]] bool is_bounded() const { return std::isfinite(lo) && std::isfinite(hi); }
   [[nodiscard]] constexpr double mid() const { return lo + (hi - lo) / 2; }
@@ -105,8 +108,8 @@ template <class F>
 
 [[nodiscard]] inline Interval operator/(const Interval& a, const Interval& b) {
   using namespace interval_detail;
-  const bool nan = a.nan || b.nan || (has_zero(a) && has_zero(b)) ||
-                   (has_infinity(a) && has_infinity(b));
+  const bool nan =
+      a.nan || b.nan || (has_zero(a) && has_zero(b)) || (has_infinity(a) && has_infinity(b));
   if (has_zero(b) || (has_infinity(a) && has_infinity(b))) return Interval::entire(nan);
   const double p = a.lo / b.lo;
   const double q = a.lo / b.hi;
@@ -268,8 +271,8 @@ inline Interval& operator*=(Interval& a, const Interval& b) { return a = a * b; 
 /// fmod(a, m), sign of `a`: exact shift inside one period, else the whole period.
 [[nodiscard]] inline Interval fmod(const Interval& a, const Interval& m) {
   if (a.is_point() && m.is_point()) return std::fmod(a.lo, m.lo);
-  const bool nan = a.nan || m.nan || interval_detail::has_zero(m) ||
-                   interval_detail::has_infinity(a);
+  const bool nan =
+      a.nan || m.nan || interval_detail::has_zero(m) || interval_detail::has_infinity(a);
   const double size = std::max(std::abs(m.lo), std::abs(m.hi));
   if (m.is_point() && !nan && (a.lo >= 0 || a.hi <= 0)) {
     const double p = std::fmod(a.lo, size);

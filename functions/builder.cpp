@@ -51,10 +51,15 @@ Value FunctionBuilder::op(Op op, std::span<const Value> operands) {
   return emit(op, operands);
 }
 
-Value FunctionBuilder::degrees(Value a) { return op(Op::multiply, a, constant(180 / std::numbers::pi)); }
-Value FunctionBuilder::radians(Value a) { return op(Op::multiply, a, constant(std::numbers::pi / 180)); }
+Value FunctionBuilder::degrees(Value a) {
+  return op(Op::multiply, a, constant(180 / std::numbers::pi));
+}
+Value FunctionBuilder::radians(Value a) {
+  return op(Op::multiply, a, constant(std::numbers::pi / 180));
+}
 
-// ---- instructions --------------------------------------------------------------------------------
+// ---- instructions
+// --------------------------------------------------------------------------------
 
 Value FunctionBuilder::emit(Op op, std::span<const Value> operands) {
   Key key{op, 0, {}};
@@ -83,7 +88,8 @@ Register FunctionBuilder::emit_instruction(Key key, std::uint16_t count, std::ui
   return place->second;
 }
 
-// ---- calls ---------------------------------------------------------------------------------------
+// ---- calls
+// ---------------------------------------------------------------------------------------
 
 std::uint32_t FunctionBuilder::add_callee(const FunctionRef& f) {
   const auto place = std::find(f_.callees.begin(), f_.callees.end(), f);
@@ -190,12 +196,20 @@ Value FunctionBuilder::member(std::span<const Value> components, Member m) {
   const auto slot = [&](std::size_t i) {
     return i < components.size() ? group(components[i]) : group(constant(0));
   };
-  const auto times = [&](std::size_t i, double k) { return op(Op::multiply, constant(k), slot(i)); };
+  const auto times = [&](std::size_t i, double k) {
+    return op(Op::multiply, constant(k), slot(i));
+  };
   switch (m) {
-    case Member::x: case Member::u: case Member::red: return slot(0);
-    case Member::y: case Member::v: case Member::green: return slot(1);
-    case Member::z: case Member::blue: return slot(2);
-    case Member::t: case Member::filter: return slot(3);
+    case Member::x:
+    case Member::u:
+    case Member::red: return slot(0);
+    case Member::y:
+    case Member::v:
+    case Member::green: return slot(1);
+    case Member::z:
+    case Member::blue: return slot(2);
+    case Member::t:
+    case Member::filter: return slot(3);
     case Member::transmit: return slot(4);
     case Member::gray:
       return group(op(Op::add, op(Op::add, times(0, 0.297), times(1, 0.589)), times(2, 0.114)));
@@ -207,7 +221,8 @@ Value FunctionBuilder::member(std::span<const Value> components, Member m) {
   return slot(0);
 }
 
-// ---- select() and loops --------------------------------------------------------------------------
+// ---- select() and loops
+// --------------------------------------------------------------------------
 
 Value FunctionBuilder::open_block(Op op, std::uint32_t index, std::uint32_t side_count) {
   if (blocks_.size() >= depth_limit) report(BuildProblem::too_deep);
@@ -280,7 +295,8 @@ void FunctionBuilder::report(BuildProblem p) {
   if (!problem_) problem_ = p;
 }
 
-// ---- whole functions -----------------------------------------------------------------------------
+// ---- whole functions
+// -----------------------------------------------------------------------------
 
 namespace {
 

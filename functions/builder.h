@@ -14,11 +14,11 @@ namespace durer::functions {
 
 /// Why a function cannot be built. The builder goes on with a harmless value.
 enum class BuildProblem {
-  division_by_zero,        // by a constant
-  log_of_non_positive,     // of a constant
-  constant_zeroth_power,   // pow(x, 0): a warning; the value is 1
-  too_deep,                // calls or nested select, sum, prod
-  too_large,               // instructions
+  division_by_zero,       // by a constant
+  log_of_non_positive,    // of a constant
+  constant_zeroth_power,  // pow(x, 0): a warning; the value is 1
+  too_deep,               // calls or nested select, sum, prod
+  too_large,              // instructions
   wrong_argument_count,
   no_such_internal,
 };
@@ -35,7 +35,9 @@ struct Value {
   enum class Form : std::uint8_t { other, literal, product, open_sum };
   Form form = Form::other;
 
-  [[nodiscard]] bool is_plain_constant() const { return form == Form::literal || form == Form::product; }
+  [[nodiscard]] bool is_plain_constant() const {
+    return form == Form::literal || form == Form::product;
+  }
 };
 
 /// Usage: make values from parameters and constants with op() and its kin, then finish() with the
@@ -132,11 +134,11 @@ class FunctionBuilder {
   void report(BuildProblem p);
 
   Function f_;
-  Register next_ = 0;                                          // first unused register
-  std::map<std::uint64_t, Register> constants_;                // by bits: 0 and -0 differ
-  std::map<Register, double> constant_values_;                 // the reverse
-  std::map<Register, OpenSum> open_sums_;                      // sums that may still grow
-  std::map<Key, Register> known_;                              // equal subexpressions
+  Register next_ = 0;                            // first unused register
+  std::map<std::uint64_t, Register> constants_;  // by bits: 0 and -0 differ
+  std::map<Register, double> constant_values_;   // the reverse
+  std::map<Register, OpenSum> open_sums_;        // sums that may still grow
+  std::map<Key, Register> known_;                // equal subexpressions
   std::vector<Key> trail_;  // `known_` in order, to forget what a finished side computed
   std::vector<OpenBlock> blocks_;
   int later_arguments_ = 0;

@@ -21,7 +21,8 @@ std::string what(const Function& f, const Instruction& in) {
       const InternalInfo& info = internal_functions[in.count];
       return std::string(info.name) + listed(f, in.a, 3 + static_cast<std::size_t>(info.extra));
     }
-    case Op::call: return fmt::format("call {}", in.b) + listed(f, in.a, f.callees[in.b]->parameters);
+    case Op::call:
+      return fmt::format("call {}", in.b) + listed(f, in.a, f.callees[in.b]->parameters);
     case Op::external:
       return f.externals[in.b].name +
              listed(f, in.a, static_cast<std::size_t>(f.externals[in.b].arity));
@@ -33,7 +34,8 @@ std::string what(const Function& f, const Instruction& in) {
     case Op::loop: {
       const Loop& l = f.loops[in.b];
       return fmt::format("{} r{} from r{} to r{}", l.product ? "prod" : "sum", l.counter, l.from,
-                         l.to) + side(l.body);
+                         l.to) +
+             side(l.body);
     }
     default: break;
   }
@@ -51,7 +53,8 @@ std::string dump(const Function& f) {
     fmt::format_to(std::back_inserter(text), "r{} = {}\n", f.parameters + i, f.constants[i]);
   }
   for (std::size_t i = 0; i < f.code.size(); ++i) {
-    fmt::format_to(std::back_inserter(text), "{}: r{} = {}\n", i, f.code[i].dst, what(f, f.code[i]));
+    fmt::format_to(std::back_inserter(text), "{}: r{} = {}\n", i, f.code[i].dst,
+                   what(f, f.code[i]));
   }
   text += "result";
   for (const Register r : f.results) text += fmt::format(" r{}", r);

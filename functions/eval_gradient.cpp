@@ -37,7 +37,8 @@ Dual evaluate_gradient(const Function& f, std::span<const Dual> arguments, Works
 Dual evaluate_gradient(const Function& f, dvec3 p, Workspace& w) {
   const std::array<Dual, 3> arguments{Dual(p.x, {1, 0, 0}), Dual(p.y, {0, 1, 0}),
                                       Dual(p.z, {0, 0, 1})};
-  return evaluate_gradient(f, std::span(arguments).first(std::min<std::size_t>(f.parameters, 3)), w);
+  return evaluate_gradient(f, std::span(arguments).first(std::min<std::size_t>(f.parameters, 3)),
+                           w);
 }
 
 }  // namespace durer::functions

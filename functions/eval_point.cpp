@@ -28,10 +28,15 @@ double evaluate_op(Op op, std::span<const double> arguments) {
   [[maybe_unused]] const T d = operand(3);
   switch (op) {
 #define DURER_OP(name, arity, expression, doc) \
-  case Op::name: return expression;
+  case Op::name:                               \
+    return expression;
 #include "functions/ops.def"
 #undef DURER_OP
-    case Op::internal: case Op::call: case Op::external: case Op::select: case Op::loop: break;
+    case Op::internal:
+    case Op::call:
+    case Op::external:
+    case Op::select:
+    case Op::loop: break;
   }
   return 0;
 }

@@ -64,9 +64,9 @@ struct Workspace {
 };
 
 /// Evaluates one function again and again: its frame and constants are set up once. T is double (a
-/// point), Pack (eight points), Interval (a box; encloses what points inside it give) or Dual (value
-/// and gradient, by whatever the arguments' gradients refer to). Evaluators on one workspace must end
-/// in the opposite order of their beginning.
+/// point), Pack (eight points), Interval (a box; encloses what points inside it give) or Dual
+/// (value and gradient, by whatever the arguments' gradients refer to). Evaluators on one workspace
+/// must end in the opposite order of their beginning.
 template <class T>
 class Evaluator {
  public:

@@ -23,7 +23,9 @@ void for_operands(F& f, std::conditional_t<std::is_const_v<F>, const Instruction
     for (std::size_t i = 0; i < n; ++i) use(f.operands[in.a + i]);
   };
   switch (in.op) {
-    case Op::internal: listed(3 + static_cast<std::size_t>(internal_functions[in.count].extra)); break;
+    case Op::internal:
+      listed(3 + static_cast<std::size_t>(internal_functions[in.count].extra));
+      break;
     case Op::call: listed(f.callees[in.b]->parameters); break;
     case Op::external: listed(static_cast<std::size_t>(f.externals[in.b].arity)); break;
     case Op::select: {

@@ -1,4 +1,5 @@
-// The 79 functions behind `internal(N)`, which functions.inc gives its names (builtin-functions §4).
+// The 79 functions behind `internal(N)`, which functions.inc gives its names (builtin-functions
+// §4).
 #pragma once
 
 #include <array>
@@ -25,7 +26,8 @@ inline constexpr int max_internal_arguments = 13;
 /// Value of function `number` (0..78) with its 3 + extra arguments, for each kind of number.
 [[nodiscard]] double internal_value(int number, const double* arguments, const Context& context);
 [[nodiscard]] Pack internal_value(int number, const Pack* arguments, const Context& context);
-[[nodiscard]] Interval internal_value(int number, const Interval* arguments, const Context& context);
+[[nodiscard]] Interval internal_value(int number, const Interval* arguments,
+                                      const Context& context);
 [[nodiscard]] Dual internal_value(int number, const Dual* arguments, const Context& context);
 
 }  // namespace durer::functions

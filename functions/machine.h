@@ -10,7 +10,8 @@
 
 namespace durer::functions {
 
-// ---- which sides of select() a condition reaches: bit 0 negative, 1 zero, 2 positive -------------
+// ---- which sides of select() a condition reaches: bit 0 negative, 1 zero, 2 positive
+// -------------
 enum Side : unsigned { negative_side = 1, zero_side = 2, positive_side = 4 };
 
 [[nodiscard]] inline unsigned sides(double c) {
@@ -32,7 +33,8 @@ enum Side : unsigned { negative_side = 1, zero_side = 2, positive_side = 4 };
 [[nodiscard]] inline FrameStack<Interval>& frames(Workspace& w, const Interval&) { return w.boxes; }
 [[nodiscard]] inline FrameStack<Dual>& frames(Workspace& w, const Dual&) { return w.gradients; }
 
-// ---- functions from outside ----------------------------------------------------------------------
+// ---- functions from outside
+// ----------------------------------------------------------------------
 void call_external(const External& e, const Context& c, const double* a, double* out);
 void call_external(const External& e, const Context& c, const Pack* a, Pack* out);
 void call_external(const External& e, const Context& c, const Interval* a, Interval* out);
@@ -62,14 +64,14 @@ class Machine {
     for (std::uint32_t pc = begin; pc < end; ++pc) {
       const Instruction& in = f_.code[pc];
       switch (in.op) {
-#define DURER_OP(name, arity, expression, doc)                 \
-  case Op::name: {                                             \
-    [[maybe_unused]] const T& a = operand<arity, 0>(in);       \
-    [[maybe_unused]] const T& b = operand<arity, 1>(in);       \
-    [[maybe_unused]] const T& c = operand<arity, 2>(in);       \
-    [[maybe_unused]] const T& d = operand<arity, 3>(in);       \
-    r_[in.dst] = expression;                                   \
-    break;                                                     \
+#define DURER_OP(name, arity, expression, doc)           \
+  case Op::name: {                                       \
+    [[maybe_unused]] const T& a = operand<arity, 0>(in); \
+    [[maybe_unused]] const T& b = operand<arity, 1>(in); \
+    [[maybe_unused]] const T& c = operand<arity, 2>(in); \
+    [[maybe_unused]] const T& d = operand<arity, 3>(in); \
+    r_[in.dst] = expression;                             \
+    break;                                               \
   }
 #include "functions/ops.def"
 #undef DURER_OP
@@ -130,13 +132,15 @@ class Machine {
     const Select& s = f_.selects[in.b];
     const T condition = r_[s.condition];
     unsigned reached = sides(condition);
-    if (s.two_way && (reached & zero_side) != 0) reached = (reached & negative_side) | positive_side;
+    if (s.two_way && (reached & zero_side) != 0)
+      reached = (reached & negative_side) | positive_side;
     bool first = true;
     T result{};
     const auto side = [&](unsigned bit, const Branch& branch) {
       if ((reached & bit) == 0) return;
       run(branch.begin, branch.end);
-      result = first ? r_[branch.result] : merged(condition, bit, s.two_way, r_[branch.result], result);
+      result =
+          first ? r_[branch.result] : merged(condition, bit, s.two_way, r_[branch.result], result);
       first = false;
     };
     side(negative_side, s.negative);

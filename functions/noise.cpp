@@ -55,7 +55,8 @@ int hash2(int a, int b) {
                      (static_cast<unsigned>(b) & lattice_mask)];
 }
 int hash3(int a, int b, int c) {
-  return permutation[static_cast<unsigned>(hash2(a, b)) ^ (static_cast<unsigned>(c) & lattice_mask)];
+  return permutation[static_cast<unsigned>(hash2(a, b)) ^
+                     (static_cast<unsigned>(c) & lattice_mask)];
 }
 
 double uniform_table(unsigned index) {

@@ -57,7 +57,8 @@ struct Cell {
   return cell;
 }
 
-[[nodiscard]] DURER_INLINE Cell gradient_cell(const GradientLattice& t, double px, double py, double pz) {
+[[nodiscard]] DURER_INLINE Cell gradient_cell(const GradientLattice& t, double px, double py,
+                                              double pz) {
   constexpr std::uint32_t mask = 2047;
   Cell cell{gradient_axis(px), gradient_axis(py), gradient_axis(pz), {}};
   for (std::uint32_t a = 0; a < 2; ++a) {
@@ -72,7 +73,8 @@ struct Cell {
   return cell;
 }
 
-/// What generators 1, 2 and 3 make of the interpolated sum: offset, then scale, then clamp to [0, 1].
+/// What generators 1, 2 and 3 make of the interpolated sum: offset, then scale, then clamp to [0,
+/// 1].
 struct NoiseScale {
   double offset;
   double scale;

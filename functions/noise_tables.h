@@ -72,8 +72,8 @@ struct alignas(32) CornerRow {
 inline constexpr std::array<CornerRow, 264> corner_rows = [] {
   std::array<CornerRow, 264> rows{};
   for (unsigned m = 0; m < rows.size(); ++m) {
-    rows[m] = {{noise_numbers[m] / 2, noise_numbers[m + 1], noise_numbers[m + 2],
-                noise_numbers[m + 3]}};
+    rows[m] = {
+        {noise_numbers[m] / 2, noise_numbers[m + 1], noise_numbers[m + 2], noise_numbers[m + 3]}};
   }
   return rows;
 }();

@@ -52,10 +52,9 @@ template <class Mask, class A, class B>
   return where(m, a(), b());
 }
 
-// ---- conversion to a 32-bit integer and back; what does not fit becomes -2^31 --------------------
-[[nodiscard]] inline double truncated32(double v) {
-  return simd::to_int32(v);
-}
+// ---- conversion to a 32-bit integer and back; what does not fit becomes -2^31
+// --------------------
+[[nodiscard]] inline double truncated32(double v) { return simd::to_int32(v); }
 [[nodiscard]] inline Pack truncated32(const Pack& a) {
   return pack_detail::map(a, [](double v) { return truncated32(v); });
 }
@@ -66,7 +65,8 @@ template <class Mask, class A, class B>
   return {-2147483648.0, std::max(-2147483648.0, std::min(std::trunc(a.hi), 2147483647.0))};
 }
 
-// ---- remainder in [0, m), for m > 0 --------------------------------------------------------------
+// ---- remainder in [0, m), for m > 0
+// --------------------------------------------------------------
 template <class T>
 [[nodiscard]] T positive_mod(const T& a, const T& m) {
   const T r = fmod(a, m);
@@ -80,7 +80,8 @@ template <class T>
   return {m.lo > 0 ? 0.0 : -size, size, r.nan};
 }
 
-// ---- scalar noise over each kind; generator already resolved to 0..3 ------------------------------
+// ---- scalar noise over each kind; generator already resolved to 0..3
+// ------------------------------
 [[nodiscard]] Pack noise(const Pack& x, const Pack& y, const Pack& z, NoiseGenerator g);
 
 /// If `p` is one number for the whole batch or box, that number.

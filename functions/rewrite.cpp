@@ -1,13 +1,14 @@
-// The rewriting that decides the last bits of a compiled function, and sometimes more (language §6.3).
-// The rules are those of the reference program, found by asking it:
+// The rewriting that decides the last bits of a compiled function, and sometimes more (language
+// §6.3). The rules are those of the reference program, found by asking it:
 // - operations on constants are done at once;
 // - x - c is x + (-c), and x / c is x · (1/c), where c is written without parentheses or functions;
-// - such constants that follow each other in a sum are added first: x + 0.1 + 0.2 is x + (0.1 + 0.2).
+// - such constants that follow each other in a sum are added first: x + 0.1 + 0.2 is x + (0.1 +
+// 0.2).
 //   If the first of them is a product after a minus, the others are subtracted with it:
 //   x - 2*3 + 1 is x - (6 + 1). Pictures depend on that slip;
 // - in the second and later arguments of a call, sums are not rearranged.
-// pow(x, 2) to pow(x, 8) are products everywhere; in later arguments the reference program calls the
-// C library instead, which is ten times as slow and differs by an ulp.
+// pow(x, 2) to pow(x, 8) are products everywhere; in later arguments the reference program calls
+// the C library instead, which is ten times as slow and differs by an ulp.
 #include <cmath>
 
 #include "functions/builder.h"
@@ -32,7 +33,8 @@ std::optional<Value> FunctionBuilder::folded(Op op, std::span<const Value> opera
     c[i] = *value;
     plain = plain && operands[i].is_plain_constant();
   }
-  if ((op == Op::add || op == Op::subtract) && !plain) return std::nullopt;  // it is a chain: see below
+  if ((op == Op::add || op == Op::subtract) && !plain)
+    return std::nullopt;  // it is a chain: see below
   if (op == Op::divide && c[1] == 0) {
     report(BuildProblem::division_by_zero);
     return constant(0);

@@ -57,8 +57,8 @@ SplineValue Spline::at(double t, SplineKind as) const {
 
   // The smallest i with t <= key[i]; last + 1 from the last key on.
   const auto above = std::lower_bound(entries_.begin(), entries_.end(), t, key_below);
-  const auto i = t >= entries_[last].key ? last + 1
-                                         : static_cast<std::size_t>(above - entries_.begin());
+  const auto i =
+      t >= entries_[last].key ? last + 1 : static_cast<std::size_t>(above - entries_.begin());
   if (as != SplineKind::cubic) {
     if (i == 0) return entries_.front().value;
     if (i > last) return entries_.back().value;
@@ -81,7 +81,8 @@ double Spline::linear(double t, std::size_t i, std::size_t c) const {
   return (t - a.key) * (b.value[c] - a.value[c]) / (b.key - a.key) + a.value[c];
 }
 
-/// The parabola through the two entries before and the one after `t` (the first three at the start).
+/// The parabola through the two entries before and the one after `t` (the first three at the
+/// start).
 double Spline::quadratic(double t, std::size_t i, std::size_t c) const {
   if (entries_.size() == 2) return linear(t, i, c);
   const std::size_t first = i >= 2 ? i - 2 : 0;
@@ -93,10 +94,11 @@ double Spline::quadratic(double t, std::size_t i, std::size_t c) const {
   const double vc = entries_[first + 2].value[c];
   const double n = (tb - ta) * (tc - ta) * (tc - tb);
   const double A = (-tb * va + tc * va + ta * vb - tc * vb - ta * vc + tb * vc) / n;
-  const double B = (tb * tb * va - tc * tc * va - ta * ta * vb + tc * tc * vb + ta * ta * vc -
-                    tb * tb * vc) / n;
+  const double B =
+      (tb * tb * va - tc * tc * va - ta * ta * vb + tc * tc * vb + ta * ta * vc - tb * tb * vc) / n;
   const double C = (-tb * tb * tc * va + tb * tc * tc * va + ta * ta * tc * vb - ta * tc * tc * vb -
-                    ta * ta * tb * vc + ta * tb * tb * vc) / n;
+                    ta * ta * tb * vc + ta * tb * tb * vc) /
+                   n;
   return (A * t + B) * t + C;
 }
 

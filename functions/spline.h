@@ -22,8 +22,8 @@ class Spline {
   };
 
   /// `entries` (at least one) as they were written: sorted here by key. An equal key replaces the
-  /// value, except that a repetition of the largest key so far is ignored once there are two entries.
-  /// `dimension` 2 to 5 is the length of the longest entry.
+  /// value, except that a repetition of the largest key so far is ignored once there are two
+  /// entries. `dimension` 2 to 5 is the length of the longest entry.
   Spline(SplineKind kind, int dimension, std::span<const Entry> entries);
 
   [[nodiscard]] SplineKind kind() const { return kind_; }

@@ -64,7 +64,8 @@ struct Select {
   Branch negative, zero, positive;
   bool two_way = false;
 };
-/// sum() or prod(): the counter runs from, from + 1, … while ≤ to. The body follows the instruction.
+/// sum() or prod(): the counter runs from, from + 1, … while ≤ to. The body follows the
+/// instruction.
 struct Loop {
   Register from = 0;
   Register to = 0;

@@ -40,30 +40,72 @@ struct Range {
 // ---- expressions ------------------------------------------------------------------------------
 
 enum class Op : std::uint8_t {
-  add, sub, mul, div,                // additive level
-  lt, le, eq, ne, ge, gt, and_, or_, // full level only; and_, or_ have one precedence (language §2.2)
-  neg, pos, not_,                    // prefix
+  add,
+  sub,
+  mul,
+  div,  // additive level
+  lt,
+  le,
+  eq,
+  ne,
+  ge,
+  gt,
+  and_,
+  or_,  // full level only; and_, or_ have one precedence (language §2.2)
+  neg,
+  pos,
+  not_,  // prefix
 };
 
-struct Number { double value = 0; };
+struct Number {
+  double value = 0;
+};
 /// A string literal: index into Tree::strings. Only `\"` has been translated; whether the other
 /// escapes are depends on the place (language §1.4).
-struct String { std::uint32_t index = 0; };
-struct Name { SymbolId name = 0; };
+struct String {
+  std::uint32_t index = 0;
+};
+struct Name {
+  SymbolId name = 0;
+};
 /// Parentheses are kept: they change the reading level and replicate components (language §2.4).
-struct Paren { ExprId inner = none; };
+struct Paren {
+  ExprId inner = none;
+};
 /// `<a, b, c>`: components in Tree::expr_lists.
-struct Vector { Range components; };
-struct Unary { Op op = Op::neg; ExprId operand = none; };
+struct Vector {
+  Range components;
+};
+struct Unary {
+  Op op = Op::neg;
+  ExprId operand = none;
+};
 /// Inside a function body `&` has been bound tighter than `|` (language §6.2).
-struct Binary { Op op = Op::add; ExprId left = none; ExprId right = none; };
-struct Conditional { ExprId condition = none; ExprId yes = none; ExprId no = none; };
+struct Binary {
+  Op op = Op::add;
+  ExprId left = none;
+  ExprId right = none;
+};
+struct Conditional {
+  ExprId condition = none;
+  ExprId yes = none;
+  ExprId no = none;
+};
 /// `name(a, b)` or `name[i](a, b)` with plain expressions as arguments (in Tree::expr_lists).
 /// `callee` is a Name or an Index.
-struct Call { ExprId callee = none; Range args; };
+struct Call {
+  ExprId callee = none;
+  Range args;
+};
 /// `name[i][j]`, subscripts in Tree::expr_lists.
-struct Index { SymbolId name = 0; Range subscripts; };
-struct Member { ExprId object = none; SymbolId member = 0; };
+struct Index {
+  SymbolId name = 0;
+  Range subscripts;
+};
+struct Member {
+  ExprId object = none;
+  SymbolId member = 0;
+};
 /// A delimited part whose content is no plain expression list: read item by item (Tree::items).
 /// An index holds one `brackets` item per subscript; the others hold what stands inside.
 struct OpenGroup {
@@ -123,12 +165,15 @@ struct Declare {
   bool deprecated_once = false;
   ExprId deprecated_message = none;
   SymbolId name = 0;
-  Range subscripts;      // Tree::expr_lists
-  ExprId value = none;   // none: read from the items that follow
+  Range subscripts;     // Tree::expr_lists
+  ExprId value = none;  // none: read from the items that follow
   bool semicolon = false;
   Span target;
 };
-struct Undef { SymbolId name = 0; Range subscripts; };
+struct Undef {
+  SymbolId name = 0;
+  Range subscripts;
+};
 
 /// One branch of an #if chain. `condition` is a Paren or OpenGroup(paren) expression.
 struct Branch {
@@ -138,25 +183,51 @@ struct Branch {
   Range items;
   Span span;
 };
-struct If { Range branches; };  // Tree::branches
-struct While { ExprId condition = none; Range items; };
-struct For { SymbolId name = 0; ExprId start = none; ExprId end = none; ExprId step = none; Range items; };
+struct If {
+  Range branches;
+};  // Tree::branches
+struct While {
+  ExprId condition = none;
+  Range items;
+};
+struct For {
+  SymbolId name = 0;
+  ExprId start = none;
+  ExprId end = none;
+  ExprId step = none;
+  Range items;
+};
 struct Case {
   enum class Kind : std::uint8_t { case_, range, else_ };
   Kind kind = Kind::case_;
-  ExprId low = none;   // case_: the Paren; range: the first bound
+  ExprId low = none;  // case_: the Paren; range: the first bound
   ExprId high = none;
   Range items;
   Span span;
 };
-struct Switch { ExprId value = none; Range cases; };  // Tree::cases
-struct Param { SymbolId name = 0; Span span; };
-struct Macro { SymbolId name = 0; Range params; Range items; Span head; };  // Tree::params
+struct Switch {
+  ExprId value = none;
+  Range cases;
+};  // Tree::cases
+struct Param {
+  SymbolId name = 0;
+  Span span;
+};
+struct Macro {
+  SymbolId name = 0;
+  Range params;
+  Range items;
+  Span head;
+};  // Tree::params
 struct Break {};
 /// `#include "x"`, `#version 3.7;`, `#debug`, `#warning`, `#error`, `#render`, `#statistics`.
 /// `value` none: the operand is read from the items that follow.
-struct Include { ExprId value = none; };
-struct Version { ExprId value = none; };
+struct Include {
+  ExprId value = none;
+};
+struct Version {
+  ExprId value = none;
+};
 struct Message {
   enum class Kind : std::uint8_t { debug, warning, error, render, statistics };
   Kind kind = Kind::debug;
@@ -170,7 +241,9 @@ struct Simple {
 };
 /// A word after `#` that is no directive, or a directive inside a body that is malformed as a
 /// whole (then there is a Flaw): an error only when executed (language §4.1).
-struct Unknown { SymbolId word = 0; };
+struct Unknown {
+  SymbolId word = 0;
+};
 
 struct Directive {
   Span span;  // from `#` to the end of the head (not of the body)

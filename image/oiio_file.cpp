@@ -41,7 +41,8 @@ const Loaded& module() {
     }
     if (loaded.module == nullptr) {
       const char* why = ::dlerror();
-      loaded.error = std::string("the OpenImageIO module cannot be loaded: ") + (why != nullptr ? why : "");
+      loaded.error =
+          std::string("the OpenImageIO module cannot be loaded: ") + (why != nullptr ? why : "");
     }
   });
   return loaded;

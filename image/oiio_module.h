@@ -7,7 +7,8 @@ namespace durer::image {
 
 /// Exported by the module under the name `durer_oiio_module`.
 struct OiioModule {
-  Encoded (*codes)(const char* plugin, const Image& size, const Codes& codes, Attributes attributes);
+  Encoded (*codes)(const char* plugin, const Image& size, const Codes& codes,
+                   Attributes attributes);
   Encoded (*samples)(const char* plugin, const Image& size, const Samples& samples, bool half,
                      Attributes attributes);
 };

@@ -38,7 +38,8 @@ Encoded to_bytes(const char* plugin, const OIIO::ImageSpec& spec, OIIO::TypeDesc
   return file;
 }
 
-Encoded codes_file(const char* plugin, const Image& size, const Codes& codes, Attributes attributes) {
+Encoded codes_file(const char* plugin, const Image& size, const Codes& codes,
+                   Attributes attributes) {
   attributes.emplace_back("oiio:UnassociatedAlpha", 1);  // ours is: do not divide again
   if (codes.sample_bits == 16) {
     const auto spec = spec_for(size, codes.channels, OIIO::TypeDesc::UINT16, attributes);

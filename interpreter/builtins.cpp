@@ -143,10 +143,12 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
   };
   switch (function) {
     case w::abs: return number(std::abs(args.full()));
-    case w::acos: case w::asin: {
+    case w::acos:
+    case w::asin: {
       double x = args.full();
       if (x < -1 || x > 1) {
-        warn(Code::evaluation, e.span, fmt::format("the argument of `{}` is outside -1…1 and is clamped", name_of(function)));
+        warn(Code::evaluation, e.span,
+             fmt::format("the argument of `{}` is outside -1…1 and is clamped", name_of(function)));
         x = x < 0 ? -1 : 1;
       }
       return number(function == w::acos ? std::acos(x) : std::asin(x));
@@ -173,7 +175,8 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
     case w::radians: return number(args.full() * radians_per_degree);
     case w::exp: return number(std::exp(args.full()));
     case w::int_: return number(std::trunc(args.full()));
-    case w::ln: case w::log: {
+    case w::ln:
+    case w::log: {
       const double x = args.full();
       if (x <= 0) domain("needs an argument above 0");
       return number(function == w::ln ? std::log(x) : std::log10(x));
@@ -197,7 +200,8 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
       if (a == 0 && b == 0) domain("of (0, 0) has no value");
       return number(std::pow(a, b));
     }
-    case w::max: case w::min: {
+    case w::max:
+    case w::min: {
       double x = args.number();
       while (args.more()) {
         const double y = args.number();
@@ -205,7 +209,9 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
       }
       return number(x);
     }
-    case w::bitwise_and: case w::bitwise_or: case w::bitwise_xor: {
+    case w::bitwise_and:
+    case w::bitwise_or:
+    case w::bitwise_xor: {
       std::int32_t x = args.integer();
       while (args.more()) {
         const std::int32_t y = args.integer();
@@ -245,7 +251,8 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
       const ast::ExprId id = args.expression();
       return number(is_defined(tree, id) ? 1 : 0);
     }
-    case w::dimensions: case w::dimension_size: {
+    case w::dimensions:
+    case w::dimension_size: {
       const ast::ExprId id = args.expression();
       const Value* v = lookup(tree, id, true);
       const auto* array = v == nullptr ? nullptr : v->get<std::shared_ptr<Array>>();
@@ -256,7 +263,9 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
       const auto& sizes = (*array)->sizes;
       if (function == w::dimensions) return number(static_cast<double>(sizes.size()));
       const int d = args.integer();
-      return number(d < 1 || d > static_cast<int>(sizes.size()) ? 0 : static_cast<double>(sizes[static_cast<std::size_t>(d) - 1]));
+      return number(d < 1 || d > static_cast<int>(sizes.size())
+                        ? 0
+                        : static_cast<double>(sizes[static_cast<std::size_t>(d) - 1]));
     }
     case w::seed: {
       streams_.push_back(static_cast<std::uint32_t>(args.integer()));
@@ -265,7 +274,8 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
     case w::rand: {
       const std::int32_t i = args.integer();
       if (i < 0 || static_cast<std::size_t>(i) >= streams_.size()) {
-        fail(Code::out_of_range, e.span, "there is no such random stream", "make one first: `#declare S = seed(1);`, then `rand(S)`");
+        fail(Code::out_of_range, e.span, "there is no such random stream",
+             "make one first: `#declare S = seed(1);`, then `rand(S)`");
       }
       std::uint32_t& s = streams_[static_cast<std::size_t>(i)];
       s = s * 1812433253U + 12345U;
@@ -322,20 +332,24 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
       const ast::ExprId object = args.expression();
       const scene::ObjectId id = object_argument(tree, object, e.span);
       const auto in = options_.queries->inside(scene_, id, args.vector());
-      if (!in) fail(Code::wrong_kind, tree.exprs[object].span, "this object is a surface without an inside");
+      if (!in)
+        fail(Code::wrong_kind, tree.exprs[object].span,
+             "this object is a surface without an inside");
       return number(*in ? 1 : 0);
     }
-    case w::min_extent: case w::max_extent: {
+    case w::min_extent:
+    case w::max_extent: {
       const scene::ObjectId id = object_argument(tree, args.expression(), e.span);
       const Bounds3 box = options_.queries->extent(scene_, id);
       return vector(function == w::min_extent ? box.lo : box.hi);
     }
     case w::vturbulence:
-    case w::sum: case w::prod:
-      not_supported(fmt::format("`{}`", name_of(function)), e.span);
+    case w::sum:
+    case w::prod: not_supported(fmt::format("`{}`", name_of(function)), e.span);
     default:
       fail(Code::wrong_kind, e.span,
-           fmt::format("expected a number or vector, found the string function `{}`", name_of(function)));
+           fmt::format("expected a number or vector, found the string function `{}`",
+                       name_of(function)));
   }
 }
 
@@ -349,11 +363,13 @@ scene::ObjectId Interpreter::object_argument(const ast::Tree& tree, ast::ExprId 
                       : fmt::format("expected an object, found {}", kind_name(*v)));
   }
   if (options_.queries == nullptr) not_supported("asking an object without a tracer", call);
-  if (const auto feature = options_.queries->unsupported(scene_, ref->id)) not_supported(*feature, call);
+  if (const auto feature = options_.queries->unsupported(scene_, ref->id))
+    not_supported(*feature, call);
   return ref->id;
 }
 
-// ---- strings --------------------------------------------------------------------------------------
+// ---- strings
+// --------------------------------------------------------------------------------------
 
 /// `str` (language §3.5): width > 0 pads with blanks, < 0 with zeros; decimals < 0 means 6.
 std::string Interpreter::format_number(double value, int width, int decimals) {
@@ -365,8 +381,7 @@ std::string Interpreter::format_number(double value, int width, int decimals) {
 }
 
 Text Interpreter::call_text_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
-                                    std::span<const ast::ExprId> list,
-                                    const ast::OpenGroup* open) {
+                                    std::span<const ast::ExprId> list, const ast::OpenGroup* open) {
   Args args(*this, tree, e, function, list, open);
   const auto done = [&](Text t) {
     args.done();
@@ -390,7 +405,8 @@ Text Interpreter::call_text_builtin(const ast::Tree& tree, const ast::Expr& e, S
       const int width = args.integer();
       return done(from_bytes(format_number(x, width, args.integer())));
     }
-    case w::strlwr: case w::strupr: {
+    case w::strlwr:
+    case w::strupr: {
       Text t = args.text();
       for (char16_t& c : t) {
         if (function == w::strlwr && c >= u'A' && c <= u'Z') c = static_cast<char16_t>(c + 32);
@@ -406,7 +422,9 @@ Text Interpreter::call_text_builtin(const ast::Tree& tree, const ast::Expr& e, S
         fail(Code::out_of_range, e.span,
              fmt::format("`substr` reaches beyond the string, which has {} characters", t.size()));
       }
-      return done(len == 0 ? Text() : t.substr(static_cast<std::size_t>(std::max(pos, 1) - 1), static_cast<std::size_t>(len)));
+      return done(len == 0 ? Text()
+                           : t.substr(static_cast<std::size_t>(std::max(pos, 1) - 1),
+                                      static_cast<std::size_t>(len)));
     }
     case w::vstr: {
       const int n = std::clamp(args.integer(), 2, 5);
@@ -418,7 +436,8 @@ Text Interpreter::call_text_builtin(const ast::Tree& tree, const ast::Expr& e, S
       Text t;
       for (int i = 0; i < n; ++i) {
         if (i > 0) t += separator;
-        t += from_bytes(format_number(i < v.length ? v.v[static_cast<std::size_t>(i)] : 0.0, width, decimals));
+        t += from_bytes(
+            format_number(i < v.length ? v.v[static_cast<std::size_t>(i)] : 0.0, width, decimals));
       }
       return done(t);
     }

@@ -47,7 +47,8 @@ std::optional<double> DataFile::number(int c) {
   }
   bool digits = false;
   while (c != EOF && (std::isalnum(c) != 0 || c == '.' ||
-                      ((c == '+' || c == '-') && !text.empty() && (text.back() == 'e' || text.back() == 'E')))) {
+                      ((c == '+' || c == '-') && !text.empty() &&
+                       (text.back() == 'e' || text.back() == 'E')))) {
     digits |= std::isdigit(c) != 0;
     text += static_cast<char>(c);
     c = stream_.get();
@@ -103,7 +104,9 @@ DataFile::Datum DataFile::read() {
     return n;
   }
   const auto x = number(c);
-  if (!x) return Bad{std::string("expected a number, vector or string, found `") + static_cast<char>(c) + "`"};
+  if (!x)
+    return Bad{std::string("expected a number, vector or string, found `") + static_cast<char>(c) +
+               "`"};
   look_ahead();
   return Num(*x);
 }

@@ -34,7 +34,9 @@ class DataFile {
   /// True once the end has been met: by a read, or by the look-ahead behind one.
   [[nodiscard]] bool at_end() const { return at_end_; }
 
-  void write(std::string_view bytes) { stream_.write(bytes.data(), static_cast<std::streamsize>(bytes.size())); }
+  void write(std::string_view bytes) {
+    stream_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  }
 
  private:
   int skip_blank();

@@ -26,7 +26,8 @@ const Value* first_defined(const Array& array) {
 }  // namespace
 
 /// Assigns; colours lose precision on the way, as colour variables are 32-bit (language §2).
-void Interpreter::store(Value& target, Value value, bool is_element, const Array* array, Span span) {
+void Interpreter::store(Value& target, Value value, bool is_element, const Array* array,
+                        Span span) {
   if (Num* n = value.get<Num>(); n != nullptr && n->length == 5) {
     for (double& x : n->v) x = static_cast<float>(x);
   }
@@ -68,7 +69,9 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
     const Num& n = *value.get<Num>();
     fail(Code::syntax, node.target,
          fmt::format("this `#{}` of a {} must end with `;`", node.local ? "local" : "declare",
-                     n.length == 1 ? "float" : n.length == 5 ? "colour" : "vector"),
+                     n.length == 1   ? "float"
+                     : n.length == 5 ? "colour"
+                                     : "vector"),
          "add a `;` after the value");
   }
 
@@ -83,7 +86,8 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
     }
     // `#local A[i]` on an array of an outer scope is evaluated and lost (language §4.3).
     if (node.local && slot->scope != scope && first_defined(**array) != nullptr) return;
-    Value* target = element(node.name, read_subscripts(tree, node.subscripts), node.target, true, false);
+    Value* target =
+        element(node.name, read_subscripts(tree, node.subscripts), node.target, true, false);
     store(*target, std::move(value), true, array->get(), node.target);
     return;
   }
@@ -95,7 +99,8 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
   Slot& slot = existing != nullptr ? *existing : env_.in_scope(node.name, node.local ? scope : 0);
   Value* target = Environment::value_of(&slot);
   const bool through_element = slot.target != nullptr && !slot.path.empty();
-  if (target == nullptr) fail(Code::evaluation, node.target, "this parameter no longer has a value");
+  if (target == nullptr)
+    fail(Code::evaluation, node.target, "this parameter no longer has a value");
   if (through_element && target->defined() && !same_kind(*target, value)) {
     fail(Code::wrong_kind, node.target,
          fmt::format("`{}` stands for an array element that is {}, the new value is {}",
@@ -167,7 +172,8 @@ Interpreter::Subscripts Interpreter::read_subscripts(const ast::Tree& tree, ast:
 
 Interpreter::Subscripts Interpreter::read_subscripts(const ast::Tree& tree, ast::ExprId id) {
   const ast::Expr& e = tree.exprs[id];
-  if (const auto* index = std::get_if<ast::Index>(&e.node)) return read_subscripts(tree, index->subscripts);
+  if (const auto* index = std::get_if<ast::Index>(&e.node))
+    return read_subscripts(tree, index->subscripts);
   // Made by directives: one bracketed part per subscript.
   Subscripts out;
   const Nested part(*this, tree, std::get<ast::OpenGroup>(e.node).items);
@@ -204,8 +210,8 @@ std::size_t Interpreter::flat_index(const Subscripts& list, const Array& array, 
   return flat;
 }
 
-Value* Interpreter::element(SymbolId name, const Subscripts& list, Span span,
-                            bool for_writing, bool must_exist) {
+Value* Interpreter::element(SymbolId name, const Subscripts& list, Span span, bool for_writing,
+                            bool must_exist) {
   Value* v = Environment::value_of(env_.find(name));
   if (v == nullptr) unknown_name(name, span);
   for (std::size_t used = 0; used < list.size();) {
@@ -224,7 +230,8 @@ Value* Interpreter::element(SymbolId name, const Subscripts& list, Span span,
   return v;
 }
 
-void Interpreter::read_array_level(Array& array, std::size_t level, std::size_t& filled, Span span) {
+void Interpreter::read_array_level(Array& array, std::size_t level, std::size_t& filled,
+                                   Span span) {
   expect_open("array");
   for (std::size_t i = 0; i < array.sizes[level]; ++i) {
     if (level + 1 < array.sizes.size()) {
@@ -258,14 +265,16 @@ std::shared_ptr<Array> Interpreter::read_array(Span span) {
     const double v = std::trunc(read_num(1).v[0] + epsilon);
     const Token close = next();
     if (close.kind != Token::Kind::bracket_close) unexpected(close, "`]` after the size");
-    if (!(v >= 1)) fail(Code::out_of_range, span, fmt::format("an array cannot have {:g} elements", v));
+    if (!(v >= 1))
+      fail(Code::out_of_range, span, fmt::format("an array cannot have {:g} elements", v));
     if (v * static_cast<double>(total) > 1e8) {
       fail(Code::limit, span, "this array is too large", "arrays hold up to 100 million elements");
     }
     array->sizes.push_back(static_cast<std::size_t>(v));
     total *= static_cast<std::size_t>(v);
   }
-  if (array->sizes.empty()) fail(Code::missing_argument, span, "expected `[` and a size after `array`");
+  if (array->sizes.empty())
+    fail(Code::missing_argument, span, "expected `[` and a size after `array`");
   if (array->sizes.size() > 5) fail(Code::limit, span, "an array has at most 5 dimensions");
   array->elements.resize(total);
   if (raw_next().kind == Token::Kind::open) {
@@ -285,7 +294,8 @@ void Interpreter::call_macro(const ast::Tree& tree, ast::ExprId id, bool flatten
   const MacroRef ref = *macro_of(tree, call != nullptr ? call->callee : open->callee);
   const ast::Macro& macro = *ref.macro;
   if (macro_depth_ >= 1000) {
-    fail(Code::limit, e.span, fmt::format("macro `{}` calls itself too deeply", name_of(macro.name)),
+    fail(Code::limit, e.span,
+         fmt::format("macro `{}` calls itself too deeply", name_of(macro.name)),
          "give the recursion an end: 1000 nested calls are the limit");
   }
 

@@ -60,7 +60,9 @@ class Environment {
 
   void open_scope() { scope_begin_.push_back(owned_.size()); }
   void close_scope();
-  [[nodiscard]] std::uint32_t scope() const { return static_cast<std::uint32_t>(scope_begin_.size()); }
+  [[nodiscard]] std::uint32_t scope() const {
+    return static_cast<std::uint32_t>(scope_begin_.size());
+  }
 
   /// All visible names, for "did you mean".
   [[nodiscard]] std::vector<SymbolId> visible_names() const;
@@ -69,7 +71,7 @@ class Environment {
   Slot& insert(SymbolId name, std::uint32_t scope);
   void unlink(Slot& slot);
 
-  std::deque<Slot> slots_;      // a deque: slots never move
+  std::deque<Slot> slots_;  // a deque: slots never move
   std::vector<Slot*> free_;
   std::vector<Slot*> visible_;  // by symbol
   std::vector<Slot*> owned_;    // slots of local scopes, innermost last

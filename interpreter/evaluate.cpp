@@ -13,7 +13,8 @@ namespace durer::interpreter {
 
 namespace w = grammar::words;
 
-// ---- arithmetic (language §2.4, §2.5) ------------------------------------------------------------
+// ---- arithmetic (language §2.4, §2.5)
+// ------------------------------------------------------------
 
 namespace {
 
@@ -79,10 +80,16 @@ Num Interpreter::unary(ast::Op op, Num operand) {
 Num Interpreter::member(Num object, SymbolId name, Span span, int length) {
   int slot = -1;
   switch (name) {
-    case w::x: case w::u: case w::red: slot = 0; break;
-    case w::y: case w::v: case w::green: slot = 1; break;
-    case w::z: case w::blue: slot = 2; break;
-    case w::t: case w::filter: slot = 3; break;
+    case w::x:
+    case w::u:
+    case w::red: slot = 0; break;
+    case w::y:
+    case w::v:
+    case w::green: slot = 1; break;
+    case w::z:
+    case w::blue: slot = 2; break;
+    case w::t:
+    case w::filter: slot = 3; break;
     case w::transmit: slot = 4; break;
     case w::gray:
       object.v[0] = 0.297 * object.v[0] + 0.589 * object.v[1] + 0.114 * object.v[2];
@@ -133,7 +140,8 @@ Num Interpreter::evaluate_name(const ast::Expr& e, SymbolId name, int length) {
     case w::x: return vector(1, 0, 0);
     case w::y: return vector(0, 1, 0);
     case w::z: return vector(0, 0, 1);
-    case w::u: case w::v: {
+    case w::u:
+    case w::v: {
       Num n;
       n.v = {name == w::u ? 1.0 : 0.0, name == w::v ? 1.0 : 0.0};
       n.length = 2;
@@ -146,8 +154,12 @@ Num Interpreter::evaluate_name(const ast::Expr& e, SymbolId name, int length) {
       return n;
     }
     case w::pi: return Num::filled(3.14159265358979323846, length);
-    case w::true_: case w::yes: case w::on: return Num::filled(1, length);
-    case w::false_: case w::no: case w::off: return Num::filled(0, length);
+    case w::true_:
+    case w::yes:
+    case w::on: return Num::filled(1, length);
+    case w::false_:
+    case w::no:
+    case w::off: return Num::filled(0, length);
     case w::clock: return Num::filled(static_cast<float>(options_.clock), length);
     case w::clock_on: return Num::filled(options_.clock_on ? 1 : 0, length);
     case w::version: return Num::filled(declared_version_ / 100.0, length);
@@ -174,7 +186,8 @@ Value* Interpreter::lookup(const ast::Tree& tree, ast::ExprId id, bool must_exis
   return nullptr;
 }
 
-// ---- expressions ----------------------------------------------------------------------------------
+// ---- expressions
+// ----------------------------------------------------------------------------------
 
 Num Interpreter::evaluate(const ast::Tree& tree, ast::ExprId id, int length) {
   const ast::Expr& e = tree.exprs[id];
@@ -184,8 +197,22 @@ Num Interpreter::evaluate(const ast::Tree& tree, ast::ExprId id, int length) {
     part.finish("an operator or the end of this expression");
     return n;
   }
-  // A switch over the alternatives, most frequent first in mind: this is the interpreter's inner loop.
-  enum Kind : std::size_t { number, string, name, paren, vector, unary_, binary_, conditional, call, index, member_, open };
+  // A switch over the alternatives, most frequent first in mind: this is the interpreter's inner
+  // loop.
+  enum Kind : std::size_t {
+    number,
+    string,
+    name,
+    paren,
+    vector,
+    unary_,
+    binary_,
+    conditional,
+    call,
+    index,
+    member_,
+    open
+  };
   switch (e.node.index()) {
     case number: return Num::filled(std::get_if<ast::Number>(&e.node)->value, length);
     case string: fail(Code::wrong_kind, e.span, "expected a number or vector, found a string");
@@ -197,11 +224,13 @@ Num Interpreter::evaluate(const ast::Tree& tree, ast::ExprId id, int length) {
       return unary(u.op, evaluate(tree, u.operand, length));
     }
     case binary_: return evaluate_binary(tree, e, *std::get_if<ast::Binary>(&e.node), length);
-    case conditional: return evaluate_conditional(tree, e, *std::get_if<ast::Conditional>(&e.node), length);
+    case conditional:
+      return evaluate_conditional(tree, e, *std::get_if<ast::Conditional>(&e.node), length);
     case call: return evaluate_call(tree, e, *std::get_if<ast::Call>(&e.node), length);
     case index: {
       const auto& i = *std::get_if<ast::Index>(&e.node);
-      return value_as_num(*element(i.name, read_subscripts(tree, i.subscripts), e.span, false), e.span, length);
+      return value_as_num(*element(i.name, read_subscripts(tree, i.subscripts), e.span, false),
+                          e.span, length);
     }
     case member_: {
       const auto& m = *std::get_if<ast::Member>(&e.node);
@@ -213,7 +242,8 @@ Num Interpreter::evaluate(const ast::Tree& tree, ast::ExprId id, int length) {
   fail(Code::syntax, e.span, "an expression that cannot be evaluated");
 }
 
-Num Interpreter::evaluate_binary(const ast::Tree& tree, const ast::Expr& e, const ast::Binary& b, int length) {
+Num Interpreter::evaluate_binary(const ast::Tree& tree, const ast::Expr& e, const ast::Binary& b,
+                                 int length) {
   if (b.op >= ast::Op::lt && b.op <= ast::Op::gt && is_text(tree, b.left)) {
     const Text l = evaluate_text(tree, b.left);
     const Text r = evaluate_text(tree, b.right);
@@ -232,17 +262,17 @@ Num Interpreter::evaluate_binary(const ast::Tree& tree, const ast::Expr& e, cons
   return binary(b.op, left, right, e.span);
 }
 
-Num Interpreter::evaluate_conditional(const ast::Tree& tree, const ast::Expr& e, const ast::Conditional& c,
-                                      int length) {
+Num Interpreter::evaluate_conditional(const ast::Tree& tree, const ast::Expr& e,
+                                      const ast::Conditional& c, int length) {
   // Both branches are always evaluated: random streams advance (language §2.2).
   const Num condition = evaluate_full(tree, c.condition, 1);
-  if (condition.length != 1) fail(Code::wrong_kind, e.span, "the condition of `?:` must be a float");
+  if (condition.length != 1)
+    fail(Code::wrong_kind, e.span, "the condition of `?:` must be a float");
   const bool first = std::abs(condition.v[0]) > epsilon;
   const Num yes = evaluate_full(tree, c.yes, length);
   const Num no = evaluate_full(tree, c.no, length);
   return first ? yes : no;
 }
-
 
 Num Interpreter::evaluate_full(const ast::Tree& tree, ast::ExprId id, int length) {
   Num n = evaluate(tree, id, length);
@@ -335,7 +365,8 @@ Num Interpreter::evaluate_call(const ast::Tree& tree, const ast::Expr& e, const 
 
 void Interpreter::call_value(const Value& v, Span span) {
   if (const auto* u = v.get<Shared<Unsupported>>()) not_supported((*u)->feature, span);
-  fail(Code::wrong_kind, span, fmt::format("expected a macro or function to call, found {}", kind_name(v)));
+  fail(Code::wrong_kind, span,
+       fmt::format("expected a macro or function to call, found {}", kind_name(v)));
 }
 
 /// Whatever the expression stands for: a number, a string, an object, a texture …
@@ -351,7 +382,8 @@ Value Interpreter::evaluate_value(const ast::Tree& tree, ast::ExprId id) {
   if (const auto* name = std::get_if<ast::Name>(&e.node); name != nullptr) {
     if (!symbols_.reserved(name->name)) {
       const Value* v = lookup(tree, id, true);
-      if (!v->defined()) fail(Code::evaluation, e.span, fmt::format("`{}` has no value", name_of(name->name)));
+      if (!v->defined())
+        fail(Code::evaluation, e.span, fmt::format("`{}` has no value", name_of(name->name)));
       return copy_of(*v);
     }
   } else if (array_of(e)) {
@@ -364,7 +396,8 @@ Value Interpreter::evaluate_value(const ast::Tree& tree, ast::ExprId id) {
 /// Assignment copies; arrays are shared until one of the copies is written.
 Value Interpreter::copy_of(const Value& v) { return v; }
 
-// ---- strings --------------------------------------------------------------------------------------
+// ---- strings
+// --------------------------------------------------------------------------------------
 
 bool Interpreter::is_text(const ast::Tree& tree, ast::ExprId id) {
   const ast::Expr& e = tree.exprs[id];
@@ -387,8 +420,14 @@ bool Interpreter::is_text(const ast::Tree& tree, ast::ExprId id) {
   const auto* name = std::get_if<ast::Name>(&tree.exprs[callee].node);
   if (name == nullptr) return false;
   switch (name->name) {
-    case w::chr: case w::concat: case w::datetime: case w::str: case w::strlwr:
-    case w::strupr: case w::substr: case w::vstr: return true;
+    case w::chr:
+    case w::concat:
+    case w::datetime:
+    case w::str:
+    case w::strlwr:
+    case w::strupr:
+    case w::substr:
+    case w::vstr: return true;
     default: return false;
   }
 }
@@ -404,13 +443,15 @@ Text Interpreter::evaluate_text(const ast::Tree& tree, ast::ExprId id, bool file
   if (const auto* s = std::get_if<ast::String>(&e.node)) {
     return decode_literal(tree.strings[s->index], e.span, file_name);
   }
-  if (const auto* p = std::get_if<ast::Paren>(&e.node)) return evaluate_text(tree, p->inner, file_name);
+  if (const auto* p = std::get_if<ast::Paren>(&e.node))
+    return evaluate_text(tree, p->inner, file_name);
   if (!is_text(tree, id)) {
     if (const Value* v = lookup(tree, id, true); v != nullptr) {
       fail(Code::wrong_kind, e.span, fmt::format("expected a string, found {}", kind_name(*v)),
            v->get<Num>() != nullptr ? "turn numbers into strings with `str(X, 0, 3)`" : "");
     }
-    fail(Code::wrong_kind, e.span, "expected a string", "turn numbers into strings with `str(X, 0, 3)`");
+    fail(Code::wrong_kind, e.span, "expected a string",
+         "turn numbers into strings with `str(X, 0, 3)`");
   }
   if (const Value* v = lookup(tree, id, true)) return **v->get<Shared<Text>>();
   if (const auto* c = std::get_if<ast::Call>(&e.node)) {
@@ -426,8 +467,10 @@ Text Interpreter::evaluate_text(const ast::Tree& tree, ast::ExprId id, bool file
 Text Interpreter::decode_literal(std::string_view bytes, Span span, bool file_name) {
   Text out;
   const auto hex = [](char c) {
-    return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10
-           : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+    return c >= '0' && c <= '9'   ? c - '0'
+           : c >= 'a' && c <= 'f' ? c - 'a' + 10
+           : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                  : -1;
   };
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     const auto c = static_cast<unsigned char>(bytes[i]);

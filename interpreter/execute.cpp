@@ -160,7 +160,8 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
 // ---- messages, versions, the rest --------------------------------------------------------------
 
 void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Message& node) {
-  std::string text = to_bytes(node.value == ast::none ? read_text() : evaluate_text(tree, node.value));
+  std::string text =
+      to_bytes(node.value == ast::none ? read_text() : evaluate_text(tree, node.value));
   using Kind = ast::Message::Kind;
   if (node.kind == Kind::error) fail(Code::user_error, d.span, text.empty() ? "#error" : text);
   if (node.kind == Kind::warning) {
@@ -169,7 +170,8 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
     return;
   }
   if (node.kind != Kind::debug) {
-    warn(Code::deprecated, d.span, "this message stream no longer exists; the text is printed as by `#debug`");
+    warn(Code::deprecated, d.span,
+         "this message stream no longer exists; the text is printed as by `#debug`");
   }
   if (text.size() > 200) text = text.substr(0, 156) + "...";
   if (options_.on_debug) options_.on_debug(text);
@@ -207,10 +209,10 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
 void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Unknown& node) {
   (void)tree;
   static constexpr std::string_view known[] = {
-      "break",   "case",    "debug", "declare", "default",    "else",  "elseif", "end",
-      "error",   "fclose",  "fopen", "for",     "if",         "ifdef", "ifndef", "include",
-      "local",   "macro",   "range", "read",    "statistics", "render", "switch", "undef",
-      "version", "warning", "while", "write"};
+      "break",  "case",    "debug",  "declare", "default", "else",  "elseif",
+      "end",    "error",   "fclose", "fopen",   "for",     "if",    "ifdef",
+      "ifndef", "include", "local",  "macro",   "range",   "read",  "statistics",
+      "render", "switch",  "undef",  "version", "warning", "while", "write"};
   const auto near = closest(name_of(node.word), known);
   fail(Code::syntax, d.span, fmt::format("unknown directive `#{}`", name_of(node.word)),
        near ? fmt::format("did you mean `#{}`?", *near) : std::string());

@@ -26,7 +26,8 @@ DataFile& Interpreter::file_named(SymbolId name, Span span) {
   if (v == nullptr) unknown_name(name, span);
   const auto* file = v->get<std::shared_ptr<DataFile>>();
   if (file == nullptr) {
-    fail(Code::wrong_kind, span, fmt::format("`{}` is {}, not an open file", name_of(name), kind_name(*v)));
+    fail(Code::wrong_kind, span,
+         fmt::format("`{}` is {}, not an open file", name_of(name), kind_name(*v)));
   }
   return **file;
 }
@@ -45,11 +46,13 @@ void Interpreter::open_file(Span span) {
     if (!found) fail(Code::file_not_found, span, fmt::format("cannot find the file `{}`", path));
     file = std::make_shared<DataFile>(*found, DataFile::Mode::read);
   } else if (mode.is(w::write) || mode.is(w::append)) {
-    file = std::make_shared<DataFile>(path, mode.is(w::write) ? DataFile::Mode::write : DataFile::Mode::append);
+    file = std::make_shared<DataFile>(
+        path, mode.is(w::write) ? DataFile::Mode::write : DataFile::Mode::append);
   } else {
     unexpected(mode, "`read`, `write` or `append`");
   }
-  if (!file->good()) fail(Code::file_not_found, span, fmt::format("cannot open the file `{}`", path));
+  if (!file->good())
+    fail(Code::file_not_found, span, fmt::format("cannot open the file `{}`", path));
   env_.for_global(name).value = Value(std::move(file));
 }
 
@@ -73,7 +76,8 @@ void Interpreter::in_parentheses(std::string_view what, Body body) {
   if (const auto* p = t.node<ast::Paren>()) {
     const Nested part(*this, *t.tree, p->inner);
     body(at_end);
-  } else if (const auto* g = t.node<ast::OpenGroup>(); g != nullptr && g->kind == ast::OpenGroup::Kind::paren) {
+  } else if (const auto* g = t.node<ast::OpenGroup>();
+             g != nullptr && g->kind == ast::OpenGroup::Kind::paren) {
     const Nested part(*this, *t.tree, g->items);
     body(at_end);
   } else {
@@ -154,7 +158,8 @@ void Interpreter::write_file() {
         file.write(format.bytes > 0 ? as_bytes(n, format) : as_text(n));
       }
     }
-    if (!file.good()) fail(Code::file_not_written, last_span_, fmt::format("cannot write to `{}`", file.path()));
+    if (!file.good())
+      fail(Code::file_not_written, last_span_, fmt::format("cannot write to `{}`", file.path()));
   });
 }
 
@@ -176,7 +181,8 @@ void Interpreter::read_file() {
         Slot* slot = env_.find(id->name);
         target = slot != nullptr ? Environment::value_of(slot) : &env_.for_global(id->name).value;
       } else if (t.kind == Token::Kind::expr && array_of(t.expression())) {
-        target = element(*array_of(t.expression()), read_subscripts(*t.tree, t.expr), t.span, true, false);
+        target = element(*array_of(t.expression()), read_subscripts(*t.tree, t.expr), t.span, true,
+                         false);
       }
       if (target == nullptr) unexpected(t, "a variable to read into");
       const DataFile::Datum datum = file.read();

@@ -20,7 +20,8 @@ bool is_file(const fs::path& path) {
 }
 
 std::string lower(std::string s) {
-  std::ranges::transform(s, s.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::ranges::transform(s, s.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return s;
 }
 
@@ -52,7 +53,8 @@ fs::path find_any_case(const fs::path& folder, const fs::path& name) {
 }  // namespace
 
 /// Where `name` is found: exact name first in every folder, then other spellings, with a warning.
-std::optional<std::string> Interpreter::find_file(const std::string& name, Span span, bool tolerant) {
+std::optional<std::string> Interpreter::find_file(const std::string& name, Span span,
+                                                  bool tolerant) {
   std::vector<fs::path> folders = {""};
   const fs::path scene_folder = fs::path(std::string(sources_.path(0))).parent_path();
   folders.push_back(scene_folder);
@@ -60,16 +62,20 @@ std::optional<std::string> Interpreter::find_file(const std::string& name, Span 
   if (!options_.stdlib_path.empty()) folders.emplace_back(options_.stdlib_path);
   for (const std::string& p : options_.fallback_paths) folders.emplace_back(p);
   if (span.begin != 0) {
-    folders.push_back(fs::path(std::string(sources_.path(sources_.file_of(span.begin)))).parent_path());
+    folders.push_back(
+        fs::path(std::string(sources_.path(sources_.file_of(span.begin)))).parent_path());
   }
 
   const std::string extension = lower(fs::path(name).extension().string());
   std::vector<std::string> candidates;
-  if (extension == ".inc") candidates = {name, name + ".inc", name + ".INC"};
-  else candidates = {name + ".inc", name + ".INC", name};
+  if (extension == ".inc")
+    candidates = {name, name + ".inc", name + ".INC"};
+  else
+    candidates = {name + ".inc", name + ".INC", name};
   for (const std::string& candidate : candidates) {
     for (const fs::path& folder : folders) {
-      const fs::path path = fs::path(candidate).is_absolute() ? fs::path(candidate) : folder / candidate;
+      const fs::path path =
+          fs::path(candidate).is_absolute() ? fs::path(candidate) : folder / candidate;
       if (is_file(path)) return path.string();
     }
   }
@@ -96,7 +102,9 @@ const ast::Tree& Interpreter::load(const std::string& name, Span span) {
     d.code = Code::file_not_found;
     d.span = span;
     d.message = fmt::format("cannot find the file `{}`", name);
-    d.help.push_back("add its folder with `+L<folder>`; the scene's own folder and the current one are searched too");
+    d.help.push_back(
+        "add its folder with `+L<folder>`; the scene's own folder and the current one are searched "
+        "too");
     fail(std::move(d));
   }
   std::error_code error;
@@ -133,7 +141,8 @@ void Interpreter::include(const std::string& name, Span span) {
 }
 
 void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Include& node) {
-  const Text name = node.value == ast::none ? read_text(true) : evaluate_text(tree, node.value, true);
+  const Text name =
+      node.value == ast::none ? read_text(true) : evaluate_text(tree, node.value, true);
   include(to_bytes(name), node.value == ast::none ? d.span : tree.exprs[node.value].span);
 }
 

@@ -33,7 +33,8 @@ Interpreter::Interpreter(SourceMap& sources, const scene::Registry& registry,
   }
 }
 
-// ---- messages -----------------------------------------------------------------------------------------
+// ---- messages
+// -----------------------------------------------------------------------------------------
 
 void Interpreter::add_trace(Diagnostic& d) const {
   for (std::size_t i = frames_.size(); i-- > 0;) {
@@ -65,7 +66,8 @@ void Interpreter::fail(Diagnostic d) {
   throw Failure{};
 }
 
-void Interpreter::fail(Code code, Span span, std::string message, std::string help, std::string at) {
+void Interpreter::fail(Code code, Span span, std::string message, std::string help,
+                       std::string at) {
   Diagnostic d;
   d.code = code;
   d.span = span;
@@ -97,7 +99,8 @@ void Interpreter::not_supported(std::string_view feature, Span span) {
 scene::OriginId Interpreter::call_origin() {
   scene::OriginId parent = 0;
   for (Frame& f : frames_) {
-    if (f.kind != Frame::Kind::macro && (f.kind != Frame::Kind::file || f.call.begin == 0)) continue;
+    if (f.kind != Frame::Kind::macro && (f.kind != Frame::Kind::file || f.call.begin == 0))
+      continue;
     if (!f.has_origin) {
       scene_.origins.push_back({f.call, parent});
       f.origin = static_cast<scene::OriginId>(scene_.origins.size() - 1);
@@ -119,7 +122,8 @@ void Interpreter::remember(const ast::Tree& tree) {
   tree_of_[tree.file] = &tree;
 }
 
-// ---- the scene ------------------------------------------------------------------------------------------
+// ---- the scene
+// ------------------------------------------------------------------------------------------
 
 void Interpreter::add_root(scene::ObjectId id) { scene_.roots.push_back({id, default_texture_}); }
 
@@ -143,7 +147,8 @@ void Interpreter::top_level() {
     if (t.kind != Token::Kind::word) unexpected(t, "an object or directive");
     switch (t.word) {
       case w::camera:
-        if (camera_) warn(Code::scene, t.span, "the scene has several cameras; the last one is used");
+        if (camera_)
+          warn(Code::scene, t.span, "the scene has several cameras; the last one is used");
         camera_ = read_camera(t.span);
         break;
       case w::global_settings: read_global_settings(t.span); break;
@@ -155,11 +160,13 @@ void Interpreter::top_level() {
       case w::max_trace_level: read_max_trace_level(t); break;
       case w::max_intersections: read_float(); break;
       case w::sky_sphere:
-        if (scene_.sky_sphere) warn(Code::scene, t.span, "the scene has several sky spheres; the last one is used");
+        if (scene_.sky_sphere)
+          warn(Code::scene, t.span, "the scene has several sky spheres; the last one is used");
         scene_.sky_sphere = read_sky_sphere(t.span);
         break;
-      case w::fog: case w::rainbow: case w::media:
-        not_supported(fmt::format("`{}`", name_of(t.word)), t.span);
+      case w::fog:
+      case w::rainbow:
+      case w::media: not_supported(fmt::format("`{}`", name_of(t.word)), t.span);
       default: unexpected(t, "an object or directive");
     }
   }
@@ -185,7 +192,8 @@ std::optional<scene::Scene> Interpreter::run(FileId main_file) try {
   }
   global("image_width", Value(Num(options_.width)));
   global("image_height", Value(Num(options_.height)));
-  const std::string name = std::filesystem::path(std::string(sources_.path(main_file))).filename().string();
+  const std::string name =
+      std::filesystem::path(std::string(sources_.path(main_file))).filename().string();
   global("input_file_name", Value(std::make_shared<const Text>(from_bytes(name))));
   for (const char* zero : {"frame_number", "initial_frame", "final_frame", "initial_clock",
                            "final_clock", "clock_delta"}) {
@@ -201,7 +209,9 @@ std::optional<scene::Scene> Interpreter::run(FileId main_file) try {
   frames_.push_back(f);
   top_level();
 
-  scene_.camera = finish_camera(camera_ ? *camera_ : default_camera_ ? *default_camera_ : CameraSpec{});
+  scene_.camera = finish_camera(camera_           ? *camera_
+                                : default_camera_ ? *default_camera_
+                                                  : CameraSpec{});
   finish_settings();
   if (scene_.roots.empty()) {
     Diagnostic d;

@@ -192,8 +192,8 @@ class Interpreter {
   std::string format_number(double value, int width, int decimals);
 
   // ---- read.cpp: expressions and values from the stream
-  Num read_num(int length);            // additive level
-  Num read_full(int length);           // relations, logic, ?:
+  Num read_num(int length);   // additive level
+  Num read_full(int length);  // relations, logic, ?:
   Num read_full_in_place(int length);
   double read_float();
   double read_scalar(std::string_view what);
@@ -210,14 +210,14 @@ class Interpreter {
   Num continue_sum(Num n);
   [[nodiscard]] bool flatten_context() const;
   Text read_text(bool file_name = false);
-  bool read_switch(bool fallback);     // an optional float: absent means on
+  bool read_switch(bool fallback);  // an optional float: absent means on
   bool starts_number(const Token& token);
   [[nodiscard]] static bool starts_colour(const Token& token);
-  Colour read_colour();                // with or without the word `color`
+  Colour read_colour();  // with or without the word `color`
   Num read_colour_num(bool strict = false);
   void continue_colour(Num& c);
-  vec3 read_rgb();                     // where only rgb is wanted
-  Value read_value();                  // the right side of a declare, an argument, an element
+  vec3 read_rgb();     // where only rgb is wanted
+  Value read_value();  // the right side of a declare, an argument, an element
   std::shared_ptr<Array> read_array(Span span);
   void read_array_level(Array& array, std::size_t level, std::size_t& filled, Span span);
   void optional_comma();
@@ -322,7 +322,7 @@ class Interpreter {
   };
   std::vector<Argument> arguments_;
   std::vector<Token> unread_;
-  std::size_t unread_base_ = 0;  // tokens below belong to an outer reader
+  std::size_t unread_base_ = 0;    // tokens below belong to an outer reader
   std::size_t declare_depth_ = 0;  // frames when the value of a #declare is being read
   std::size_t macro_depth_ = 0;
   std::size_t nesting_ = 0;

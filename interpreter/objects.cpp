@@ -20,13 +20,37 @@ bool is_csg(SymbolId word) {
 /// Objects of the language that this version can read over but not render.
 bool is_known_object(SymbolId word) {
   switch (word) {
-    case w::bicubic_patch: case w::blob: case w::box: case w::cone: case w::cubic: case w::cylinder:
-    case w::disc: case w::height_field: case w::isosurface: case w::julia_fractal: case w::lathe:
-    case w::mesh: case w::mesh2: case w::ovus: case w::parametric: case w::plane: case w::poly:
-    case w::polygon: case w::polynomial: case w::prism: case w::quadric: case w::quartic:
-    case w::smooth_triangle: case w::sor: case w::sphere: case w::sphere_sweep:
-    case w::superellipsoid: case w::text: case w::torus: case w::triangle: case w::light_group:
-      return true;
+    case w::bicubic_patch:
+    case w::blob:
+    case w::box:
+    case w::cone:
+    case w::cubic:
+    case w::cylinder:
+    case w::disc:
+    case w::height_field:
+    case w::isosurface:
+    case w::julia_fractal:
+    case w::lathe:
+    case w::mesh:
+    case w::mesh2:
+    case w::ovus:
+    case w::parametric:
+    case w::plane:
+    case w::poly:
+    case w::polygon:
+    case w::polynomial:
+    case w::prism:
+    case w::quadric:
+    case w::quartic:
+    case w::smooth_triangle:
+    case w::sor:
+    case w::sphere:
+    case w::sphere_sweep:
+    case w::superellipsoid:
+    case w::text:
+    case w::torus:
+    case w::triangle:
+    case w::light_group: return true;
     default: return false;
   }
 }
@@ -78,7 +102,8 @@ scene::ObjectId Interpreter::read_object(const Token& word) {
         skip_block();
         return add_object(std::move(node));
       }
-      fail(Code::wrong_kind, first.span, fmt::format("expected an object, found {}", kind_name(*v)));
+      fail(Code::wrong_kind, first.span,
+           fmt::format("expected an object, found {}", kind_name(*v)));
     }
   }
   if (word.word == w::object) {
@@ -88,8 +113,8 @@ scene::ObjectId Interpreter::read_object(const Token& word) {
     return read_object_modifiers(std::move(copy), word, open.span);
   }
   if (is_csg(word.word)) {
-    const scene::NodeKind kind = word.word == w::union_   ? scene::NodeKind::union_
-                                 : word.word == w::merge  ? scene::NodeKind::merge
+    const scene::NodeKind kind = word.word == w::union_         ? scene::NodeKind::union_
+                                 : word.word == w::merge        ? scene::NodeKind::merge
                                  : word.word == w::intersection ? scene::NodeKind::intersection
                                                                 : scene::NodeKind::difference;
     return read_object_modifiers(read_csg(kind, word), word, open.span);
@@ -145,7 +170,8 @@ std::vector<double> Interpreter::read_operands(const scene::TypeInfo& info, cons
       Diagnostic d;
       d.code = Code::missing_argument;
       d.span = t.span;
-      d.message = fmt::format("expected the {} of this `{}`, found {}", p.doc, info.name, describe(t));
+      d.message =
+          fmt::format("expected the {} of this `{}`, found {}", p.doc, info.name, describe(t));
       d.labels.push_back({word.span, "in this block"});
       fail(std::move(d));
     }
@@ -204,7 +230,8 @@ scene::Object Interpreter::read_polynomial(std::uint32_t type, const Token& word
       std::array<std::size_t, 3> power{};
       read_exponents(power, word.span);
       if (power[0] + power[1] + power[2] > n) {
-        fail(Code::out_of_range, last_span_, fmt::format("these exponents add up to more than {}", n));
+        fail(Code::out_of_range, last_span_,
+             fmt::format("these exponents add up to more than {}", n));
       }
       const Token colon = next();
       if (!colon.is_punct(':')) unexpected(colon, "`:` and a factor");
@@ -217,7 +244,8 @@ scene::Object Interpreter::read_polynomial(std::uint32_t type, const Token& word
     const std::size_t found = read_numbers(terms);
     if (found != terms.size()) {
       fail(Code::missing_argument, word.span,
-           fmt::format("a surface of degree {} takes {} numbers in `< >`, here are {}", n, terms.size(), found));
+           fmt::format("a surface of degree {} takes {} numbers in `< >`, here are {}", n,
+                       terms.size(), found));
     }
   }
   o.args.push_back(degree);
@@ -230,7 +258,8 @@ void Interpreter::read_exponents(std::array<std::size_t, 3>& power, Span span) {
   const Token t = next();
   last_span_ = t.span;
   const auto* g = t.node<ast::OpenGroup>();
-  if (g == nullptr || g->kind != ast::OpenGroup::Kind::paren) unexpected(t, "`(` and three exponents");
+  if (g == nullptr || g->kind != ast::OpenGroup::Kind::paren)
+    unexpected(t, "`(` and three exponents");
   const Nested part(*this, *t.tree, g->items);
   for (std::size_t& p : power) {
     const double v = read_scalar("exponent");
@@ -313,11 +342,12 @@ scene::ObjectId Interpreter::read_object_modifiers(scene::Object object, const T
     if (const auto* name = t.node<ast::Name>();
         name != nullptr && env_.find(name->name) == nullptr) {
       static constexpr std::string_view modifiers[] = {
-          "translate", "rotate",  "scale",      "matrix",     "transform", "texture",
-          "pigment",   "normal",  "finish",     "interior",   "material",  "clipped_by",
-          "bounded_by", "inverse", "hollow",    "no_shadow",  "no_image",  "no_reflection",
-          "open",      "sturm",   "photons",    "uv_mapping", "color",     "interior_texture"};
-      d.message = fmt::format("`{}` is not declared, and no modifier of that name exists", name_of(name->name));
+          "translate",  "rotate",  "scale",   "matrix",     "transform", "texture",
+          "pigment",    "normal",  "finish",  "interior",   "material",  "clipped_by",
+          "bounded_by", "inverse", "hollow",  "no_shadow",  "no_image",  "no_reflection",
+          "open",       "sturm",   "photons", "uv_mapping", "color",     "interior_texture"};
+      d.message = fmt::format("`{}` is not declared, and no modifier of that name exists",
+                              name_of(name->name));
       if (const auto near = closest(name_of(name->name), modifiers)) {
         d.help.push_back(fmt::format("did you mean `{}`?", *near));
       }
@@ -351,8 +381,12 @@ bool Interpreter::object_modifier(scene::Object& o, const Token& t) {
   };
   switch (t.word) {
     case w::texture: add_layers(o.texture, read_texture("texture")); return true;
-    case w::pigment: case w::finish: case w::normal: edit_texture(o.texture, t); return true;
-    case w::interior_texture: add_layers(o.interior_texture, read_texture("interior_texture")); return true;
+    case w::pigment:
+    case w::finish:
+    case w::normal: edit_texture(o.texture, t); return true;
+    case w::interior_texture:
+      add_layers(o.interior_texture, read_texture("interior_texture"));
+      return true;
     case w::interior: o.interior = read_interior(); return true;
     case w::material: {
       const Material m = read_material();
@@ -386,7 +420,8 @@ bool Interpreter::object_modifier(scene::Object& o, const Token& t) {
       skip_block();
       return true;
     }
-    case w::color: case w::colour:
+    case w::color:
+    case w::colour:
       unread(t);
       read_colour();
       warn(Code::deprecated, t.span, "a colour here has no effect", "put it into `pigment { … }`");
@@ -403,7 +438,8 @@ void Interpreter::read_clips(scene::Object& o, bool clip) {
   SharedTransform& moved = clip ? o.clip_transform : o.bound_transform;
   if (accept(clip ? w::bounded_by : w::clipped_by)) {
     if (!list.empty()) {
-      fail(Code::scene, peek().span, fmt::format("`{}` cannot borrow a list when it has one", block));
+      fail(Code::scene, peek().span,
+           fmt::format("`{}` cannot borrow a list when it has one", block));
     }
     list = clip ? o.bounds : o.clips;
     moved = clip ? o.bound_transform : o.clip_transform;
@@ -432,7 +468,8 @@ void Interpreter::read_clips(scene::Object& o, bool clip) {
         transform_object(copy, *transform);
         id = add_object(std::move(copy));
       }
-    } else if (const Value* v = t.kind == Token::Kind::expr ? lookup(*t.tree, t.expr, false) : nullptr;
+    } else if (const Value* v =
+                   t.kind == Token::Kind::expr ? lookup(*t.tree, t.expr, false) : nullptr;
                v != nullptr && v->get<ObjectRef>() != nullptr) {
       added.push_back(v->get<ObjectRef>()->id);
     } else {
@@ -470,16 +507,20 @@ Transform Interpreter::read_matrix(const Token& word) {
   std::array<double, 12> m{};
   const std::size_t n = read_numbers(m);
   if (n != 12) {
-    fail(Code::missing_argument, word.span, fmt::format("`matrix` takes 12 numbers in `< >`, here are {}", n));
+    fail(Code::missing_argument, word.span,
+         fmt::format("`matrix` takes 12 numbers in `< >`, here are {}", n));
   }
   for (std::size_t i = 0; i < 3; ++i) {
     if (std::abs(m[i]) < epsilon && std::abs(m[i + 3]) < epsilon && std::abs(m[i + 6]) < epsilon) {
-      warn(Code::degenerate, word.span, fmt::format("column {} of the matrix is zero; its diagonal element becomes 1", i));
+      warn(Code::degenerate, word.span,
+           fmt::format("column {} of the matrix is zero; its diagonal element becomes 1", i));
       m[4 * i] = 1;
     }
   }
   const auto matrix = Transform::matrix(m);
-  if (!matrix) fail(Code::degenerate, word.span, "this matrix is singular", "its three rows must not lie in one plane");
+  if (!matrix)
+    fail(Code::degenerate, word.span, "this matrix is singular",
+         "its three rows must not lie in one plane");
   return *matrix;
 }
 

@@ -1,5 +1,5 @@
-// Readers that pull from the stream: expressions operand by operand, strings, colours, and values of
-// any kind.
+// Readers that pull from the stream: expressions operand by operand, strings, colours, and values
+// of any kind.
 #include <cmath>
 
 #include <fmt/format.h>
@@ -12,7 +12,8 @@ namespace durer::interpreter {
 
 namespace w = grammar::words;
 
-// ---- small things ---------------------------------------------------------------------------------
+// ---- small things
+// ---------------------------------------------------------------------------------
 
 bool Interpreter::accept(SymbolId word) {
   if (!peek().is(word)) return false;
@@ -67,8 +68,10 @@ std::string Interpreter::describe(const Token& t) const {
     case Token::Kind::bracket_open: return "`[`";
     case Token::Kind::bracket_close: return "`]`";
     case Token::Kind::punct:
-      return t.punct == 'l' ? "`<=`" : t.punct == 'g' ? "`>=`" : t.punct == 'n' ? "`!=`"
-                                                                : fmt::format("`{}`", t.punct);
+      return t.punct == 'l'   ? "`<=`"
+             : t.punct == 'g' ? "`>=`"
+             : t.punct == 'n' ? "`!=`"
+                              : fmt::format("`{}`", t.punct);
     case Token::Kind::expr: {
       if (const auto* name = t.node<ast::Name>()) return fmt::format("`{}`", name_of(name->name));
       if (t.node<ast::Number>() != nullptr) return "a number";
@@ -110,7 +113,8 @@ void Interpreter::bad_setting(const Token& t, std::string_view block, Span opene
     words.push_back(settings.substr(at, end - at));
     at = end + 1;
   }
-  if (const auto near = closest(word, words)) d.help.push_back(fmt::format("did you mean `{}`?", *near));
+  if (const auto near = closest(word, words))
+    d.help.push_back(fmt::format("did you mean `{}`?", *near));
   fail(std::move(d));
 }
 
@@ -129,7 +133,8 @@ Value Interpreter::skip_unsupported(std::string_view feature, Span span) {
   return Value(std::make_shared<const Unsupported>(Unsupported{std::string(feature), span}));
 }
 
-// ---- expressions ----------------------------------------------------------------------------------
+// ---- expressions
+// ----------------------------------------------------------------------------------
 
 namespace {
 
@@ -172,8 +177,8 @@ const ast::Unary* leading_sign(const ast::Tree& tree, ast::ExprId id) {
 
 }  // namespace
 
-/// True if what follows continues an expression; then it has been peeked at. Directives are executed
-/// only where the next item does not tell, and never behind the value of a #declare.
+/// True if what follows continues an expression; then it has been peeked at. Directives are
+/// executed only where the next item does not tell, and never behind the value of a #declare.
 bool Interpreter::at_operator() {
   Token t = raw_next();
   if (t.kind == Token::Kind::end) {
@@ -204,7 +209,8 @@ bool Interpreter::in_declared_value() const {
 void Interpreter::leave_ended_frames() {
   while (frames_.size() > declare_depth_) {
     const Frame& f = frames_.back();
-    const bool ended = f.kind == Frame::Kind::expansion ? pieces_.size() == f.pieces : f.pos >= f.end;
+    const bool ended =
+        f.kind == Frame::Kind::expansion ? pieces_.size() == f.pieces : f.pos >= f.end;
     const bool closes = f.kind == Frame::Kind::expansion || f.kind == Frame::Kind::macro ||
                         f.kind == Frame::Kind::branch;
     if (!ended || !closes) return;
@@ -246,9 +252,9 @@ Num Interpreter::read_factor(int length) {
     return read_factor(length);
   }
   Num n = evaluate(*t.tree, t.expr, length);
-  if (raw_next().is_punct('.') || (raw_next().kind == Token::Kind::end &&
-                                   frames_.back().kind != Frame::Kind::barrier &&
-                                   flatten_context() && peek().is_punct('.'))) {
+  if (raw_next().is_punct('.') ||
+      (raw_next().kind == Token::Kind::end && frames_.back().kind != Frame::Kind::barrier &&
+       flatten_context() && peek().is_punct('.'))) {
     next();
     const Token name = next();
     n = member(n, name.word, name.span, length);
@@ -349,7 +355,8 @@ Num Interpreter::read_full_in_place(int length) {
   }
   if (!at_full_operator() || !peek().is_punct('?')) return n;
   const Span at = next().span;
-  if (n.length != 1 && length == 1) fail(Code::wrong_kind, at, "the condition of `?:` must be a float");
+  if (n.length != 1 && length == 1)
+    fail(Code::wrong_kind, at, "the condition of `?:` must be a float");
   const bool first = std::abs(n.v[0]) > epsilon;
   const Num yes = read_full(length);
   const Token colon = next();
@@ -367,8 +374,9 @@ Num Interpreter::read_full(int length) {
 Num Interpreter::fit(const Num& n, int length) {
   if (n.length <= length) return n;
   fail(Code::wrong_kind, last_span_,
-       length == 1 ? fmt::format("expected a float, found a {}", n.length == 5 ? "colour" : "vector")
-                   : fmt::format("expected {} components, found {}", length, n.length),
+       length == 1
+           ? fmt::format("expected a float, found a {}", n.length == 5 ? "colour" : "vector")
+           : fmt::format("expected {} components, found {}", length, n.length),
        length == 1 ? "pick a component, as in `V.x`" : "");
 }
 
@@ -395,8 +403,9 @@ bool Interpreter::starts_number(const Token& t) {
   if (t.kind != Token::Kind::expr) return false;
   if (t.node<ast::Name>() != nullptr || t.node<ast::Index>() != nullptr) {
     const Value* v = lookup(*t.tree, t.expr, false);
-    return v == nullptr ? t.node<ast::Name>() != nullptr && symbols_.reserved(t.node<ast::Name>()->name)
-                        : v->get<Num>() != nullptr;
+    return v == nullptr
+               ? t.node<ast::Name>() != nullptr && symbols_.reserved(t.node<ast::Name>()->name)
+               : v->get<Num>() != nullptr;
   }
   return !is_text(*t.tree, t.expr);
 }
@@ -411,14 +420,28 @@ Text Interpreter::read_text(bool file_name) {
   return evaluate_text(*t.tree, t.expr, file_name);
 }
 
-// ---- colours (language §2.6) ------------------------------------------------------------------------
+// ---- colours (language §2.6)
+// ------------------------------------------------------------------------
 
 bool Interpreter::starts_colour(const Token& t) {
   if (t.kind != Token::Kind::word) return false;
   switch (t.word) {
-    case w::color: case w::colour: case w::rgb: case w::rgbf: case w::rgbt: case w::rgbft:
-    case w::srgb: case w::srgbf: case w::srgbt: case w::srgbft: case w::red: case w::green:
-    case w::blue: case w::filter: case w::transmit: case w::alpha: return true;
+    case w::color:
+    case w::colour:
+    case w::rgb:
+    case w::rgbf:
+    case w::rgbt:
+    case w::rgbft:
+    case w::srgb:
+    case w::srgbf:
+    case w::srgbt:
+    case w::srgbft:
+    case w::red:
+    case w::green:
+    case w::blue:
+    case w::filter:
+    case w::transmit:
+    case w::alpha: return true;
     default: return false;
   }
 }
@@ -429,7 +452,8 @@ int component_of(SymbolId word) {
     case w::red: return 0;
     case w::green: return 1;
     case w::blue: return 2;
-    case w::filter: case w::alpha: return 3;
+    case w::filter:
+    case w::alpha: return 3;
     case w::transmit: return 4;
     default: return -1;
   }
@@ -465,7 +489,10 @@ Num Interpreter::read_colour_num(bool strict) {
       case w::srgbf: is_srgb = true; [[fallthrough]];
       case w::rgbf: wanted = 4; break;
       case w::srgbt: is_srgb = true; [[fallthrough]];
-      case w::rgbt: wanted = 4; moves_transmit = true; break;
+      case w::rgbt:
+        wanted = 4;
+        moves_transmit = true;
+        break;
       case w::srgbft: is_srgb = true; [[fallthrough]];
       case w::rgbft: wanted = 5; break;
       default: break;
@@ -474,7 +501,8 @@ Num Interpreter::read_colour_num(bool strict) {
   if (wanted > 0) {
     next();
     if (is_srgb && !assumed_gamma_given_) {
-      fail(Code::evaluation, t.span, fmt::format("`{}` needs `assumed_gamma` to be set before it", name_of(t.word)),
+      fail(Code::evaluation, t.span,
+           fmt::format("`{}` needs `assumed_gamma` to be set before it", name_of(t.word)),
            "write `global_settings { assumed_gamma 1 }` at the top of the scene");
     }
     const Num n = read_full(wanted);
@@ -497,7 +525,8 @@ Num Interpreter::read_colour_num(bool strict) {
   } else if (t.kind == Token::Kind::expr) {
     const Num n = read_full(strict ? 1 : 5);
     if (strict && n.length != 5) {
-      fail(Code::wrong_kind, t.span, fmt::format("expected a colour, found a {}", n.length == 1 ? "number" : "vector"),
+      fail(Code::wrong_kind, t.span,
+           fmt::format("expected a colour, found a {}", n.length == 1 ? "number" : "vector"),
            "write `rgb` before it");
     }
     c.v = n.v;
@@ -526,7 +555,8 @@ vec3 Interpreter::read_rgb() {
   return n.colour().rgb;
 }
 
-// ---- values of any kind ------------------------------------------------------------------------------
+// ---- values of any kind
+// ------------------------------------------------------------------------------
 
 Value Interpreter::read_value() {
   const Token t = peek();
@@ -565,14 +595,15 @@ Value Interpreter::read_value() {
     case w::finish:
       return Value(std::make_shared<const scene::Finish>(
           read_finish(scene_.textures[default_texture_].layers.back().finish)));
-    case w::color_map: case w::colour_map:
-      return Value(std::make_shared<const ColourMap>(read_colour_map()));
+    case w::color_map:
+    case w::colour_map: return Value(std::make_shared<const ColourMap>(read_colour_map()));
     case w::pigment_map: return Value(std::make_shared<const ColourMap>(read_pigment_map()));
     case w::interior: return Value(InteriorRef{read_interior()});
     case w::material: return Value(std::make_shared<const Material>(read_material()));
     case w::transform: return Value(std::make_shared<const Transform>(read_transform_block()));
     case w::camera: return Value(read_camera(t.span));
-    case w::sky_sphere: return Value(std::make_shared<const scene::SkySphere>(read_sky_sphere(t.span)));
+    case w::sky_sphere:
+      return Value(std::make_shared<const scene::SkySphere>(read_sky_sphere(t.span)));
     case w::array: return Value(read_array(t.span));
     case w::function: {
       // Parameters, if any, stand between the word and the block.
@@ -584,10 +615,18 @@ Value Interpreter::read_value() {
       skip_block();
       return Value(std::make_shared<const Unsupported>(Unsupported{"a user function", t.span}));
     }
-    case w::normal: case w::normal_map: case w::texture_map: case w::slope_map: case w::density:
-    case w::density_map: case w::media: case w::spline: case w::fog: case w::rainbow:
-    case w::bump_map: case w::material_map:
-      return skip_unsupported(name_of(t.word), t.span);
+    case w::normal:
+    case w::normal_map:
+    case w::texture_map:
+    case w::slope_map:
+    case w::density:
+    case w::density_map:
+    case w::media:
+    case w::spline:
+    case w::fog:
+    case w::rainbow:
+    case w::bump_map:
+    case w::material_map: return skip_unsupported(name_of(t.word), t.span);
     default: unexpected(t, "a value");
   }
 }

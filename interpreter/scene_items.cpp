@@ -12,7 +12,8 @@ namespace durer::interpreter {
 
 namespace w = grammar::words;
 
-// ---- lights -----------------------------------------------------------------------------------------
+// ---- lights
+// -----------------------------------------------------------------------------------------
 
 scene::ObjectId Interpreter::read_light(const Token& word) {
   expect_open("light_source");
@@ -23,11 +24,13 @@ scene::ObjectId Interpreter::read_light(const Token& word) {
   l.origin = o.origin;
 
   const Token first = peek();
-  const Value* v = first.kind == Token::Kind::expr ? lookup(*first.tree, first.expr, false) : nullptr;
+  const Value* v =
+      first.kind == Token::Kind::expr ? lookup(*first.tree, first.expr, false) : nullptr;
   if (v != nullptr && v->get<ObjectRef>() != nullptr) {
     next();
     o = scene_.objects[v->get<ObjectRef>()->id];
-    if (o.kind != scene::NodeKind::light) fail(Code::wrong_kind, first.span, "expected a light source");
+    if (o.kind != scene::NodeKind::light)
+      fail(Code::wrong_kind, first.span, "expected a light source");
     l = scene_.lights[o.light];
   } else {
     l.position = read_vector();
@@ -48,7 +51,8 @@ void Interpreter::read_light_items(scene::Object& o, scene::Light& l, const Toke
   };
   const auto needs_aim = [&](const Token& t) {
     if (aimed || cylinder) return;
-    fail(Code::unexpected_item, t.span, fmt::format("`{}` makes no sense in a point light", name_of(t.word)),
+    fail(Code::unexpected_item, t.span,
+         fmt::format("`{}` makes no sense in a point light", name_of(t.word)),
          "write `spotlight` before it");
   };
   for (;;) {
@@ -60,7 +64,8 @@ void Interpreter::read_light_items(scene::Object& o, scene::Light& l, const Toke
       continue;
     }
     static constexpr std::string_view settings =
-        "spotlight cylinder parallel shadowless point_at radius falloff tightness area_light adaptive "
+        "spotlight cylinder parallel shadowless point_at radius falloff tightness area_light "
+        "adaptive "
         "jitter circular orient area_illumination fade_distance fade_power media_attenuation "
         "media_interaction looks_like projected_through translate rotate scale transform";
     if (t.kind != Token::Kind::word) bad_setting(t, "light_source", word.span, settings);
@@ -78,28 +83,44 @@ void Interpreter::read_light_items(scene::Object& o, scene::Light& l, const Toke
         needs_aim(t);
         l.point_at = read_vector();
         break;
-      case w::radius: needs_aim(t); l.radius_deg = read_float(); break;
-      case w::falloff: needs_aim(t); l.falloff_deg = read_float(); break;
-      case w::tightness: needs_aim(t); l.tightness = read_float(); break;
+      case w::radius:
+        needs_aim(t);
+        l.radius_deg = read_float();
+        break;
+      case w::falloff:
+        needs_aim(t);
+        l.falloff_deg = read_float();
+        break;
+      case w::tightness:
+        needs_aim(t);
+        l.tightness = read_float();
+        break;
       case w::fade_distance: l.fade_distance = read_float(); break;
       case w::fade_power: l.fade_power = read_float(); break;
       // Both are about media and fog, which report themselves.
-      case w::media_attenuation: case w::media_interaction: read_switch(true); break;
+      case w::media_attenuation:
+      case w::media_interaction: read_switch(true); break;
       case w::cylinder:
         cylinder = true;
         unsupported("a cylinder light");
         break;
       case w::area_light:
         unsupported("`area_light`");
-        read_vector(); optional_comma();
-        read_vector(); optional_comma();
-        read_float(); optional_comma();
+        read_vector();
+        optional_comma();
+        read_vector();
+        optional_comma();
+        read_float();
+        optional_comma();
         read_float();
         break;
       case w::adaptive: read_float(); break;  // of area lights, like the next four
-      case w::jitter: case w::circular: case w::orient: break;
+      case w::jitter:
+      case w::circular:
+      case w::orient: break;
       case w::area_illumination: read_switch(true); break;
-      case w::looks_like: case w::projected_through: {
+      case w::looks_like:
+      case w::projected_through: {
         unsupported(fmt::format("`{}` of a light source", name_of(t.word)));
         expect_open(name_of(t.word));
         skip_block();
@@ -109,7 +130,8 @@ void Interpreter::read_light_items(scene::Object& o, scene::Light& l, const Toke
         expect_open("photons");
         skip_block();
         break;
-      case w::color_map: case w::colour_map:
+      case w::color_map:
+      case w::colour_map:
         unsupported("a colour map in a light source");
         read_colour_map();
         break;
@@ -118,12 +140,15 @@ void Interpreter::read_light_items(scene::Object& o, scene::Light& l, const Toke
   }
 }
 
-// ---- cameras ----------------------------------------------------------------------------------------
+// ---- cameras
+// ----------------------------------------------------------------------------------------
 
 namespace {
 constexpr std::string_view camera_settings =
-    "perspective orthographic fisheye ultra_wide_angle omnimax panoramic cylinder spherical location "
-    "direction right up sky look_at angle aperture blur_samples focal_point confidence variance bokeh "
+    "perspective orthographic fisheye ultra_wide_angle omnimax panoramic cylinder spherical "
+    "location "
+    "direction right up sky look_at angle aperture blur_samples focal_point confidence variance "
+    "bokeh "
     "normal translate rotate scale matrix transform";
 }  // namespace
 
@@ -178,10 +203,17 @@ Shared<CameraSpec> Interpreter::read_camera(Span span) {
         if (starts_number(peek())) read_float();
         break;
       case w::focal_point: read_vector(); break;  // these act through `aperture` only
-      case w::confidence: case w::variance: read_float(); break;
-      case w::fisheye: case w::ultra_wide_angle: case w::omnimax: case w::panoramic:
-      case w::spherical: case w::cylinder: case w::mesh_camera: case w::bokeh: case w::normal:
-        not_supported(fmt::format("`{}` in a camera", name_of(t.word)), t.span);
+      case w::confidence:
+      case w::variance: read_float(); break;
+      case w::fisheye:
+      case w::ultra_wide_angle:
+      case w::omnimax:
+      case w::panoramic:
+      case w::spherical:
+      case w::cylinder:
+      case w::mesh_camera:
+      case w::bokeh:
+      case w::normal: not_supported(fmt::format("`{}` in a camera", name_of(t.word)), t.span);
       default: bad_setting(t, "camera", span, camera_settings);
     }
   }
@@ -195,8 +227,10 @@ scene::Camera Interpreter::finish_camera(const CameraSpec& c) {
   dvec3 up = c.up;
   const auto deg = 3.14159265358979323846 / 180;
   if (c.angle_deg && *c.angle_deg > 0) {
-    if (*c.angle_deg >= 180) fail(Code::out_of_range, c.span, "`angle` must be below 180 degrees for this camera");
-    direction = glm::normalize(direction) * (glm::length(right) / (2 * std::tan(*c.angle_deg * deg / 2)));
+    if (*c.angle_deg >= 180)
+      fail(Code::out_of_range, c.span, "`angle` must be below 180 degrees for this camera");
+    direction =
+        glm::normalize(direction) * (glm::length(right) / (2 * std::tan(*c.angle_deg * deg / 2)));
   }
   const dvec3 target = c.look_at.value_or(dvec3(0, 0, 1));
   if (c.look_at) {
@@ -210,9 +244,10 @@ scene::Camera Interpreter::finish_camera(const CameraSpec& c) {
     }
     direction = glm::normalize(to);
     const dvec3 across = glm::cross(c.sky, direction);
-    if (std::abs(across.x) < epsilon && std::abs(across.y) < epsilon && std::abs(across.z) < epsilon) {
-      warn(Code::degenerate, c.span, "the camera looks along its `sky` vector; `right` stays as it is",
-           "give another `sky`");
+    if (std::abs(across.x) < epsilon && std::abs(across.y) < epsilon &&
+        std::abs(across.z) < epsilon) {
+      warn(Code::degenerate, c.span,
+           "the camera looks along its `sky` vector; `right` stays as it is", "give another `sky`");
     } else {
       right = across;
     }
@@ -244,7 +279,8 @@ scene::Camera Interpreter::finish_camera(const CameraSpec& c) {
   return out;
 }
 
-// ---- background and settings ---------------------------------------------------------------------------
+// ---- background and settings
+// ---------------------------------------------------------------------------
 
 void Interpreter::read_background() {
   expect_open("background");
@@ -277,7 +313,8 @@ scene::SkySphere Interpreter::read_sky_sphere(Span span) {
       sky.pigments.push_back(read_pigment({}));
     } else if (t.is(w::emission)) {
       sky.emission = read_rgb();
-    } else if (const Value* v = t.kind == Token::Kind::expr ? lookup(*t.tree, t.expr, true) : nullptr;
+    } else if (const Value* v =
+                   t.kind == Token::Kind::expr ? lookup(*t.tree, t.expr, true) : nullptr;
                v != nullptr && v->get<Shared<scene::SkySphere>>() != nullptr) {
       sky = **v->get<Shared<scene::SkySphere>>();
     } else {
@@ -296,7 +333,8 @@ void Interpreter::read_global_settings(Span span) {
     if (t.kind == Token::Kind::close) return;
     if (t.is_punct(';')) continue;
     static constexpr std::string_view settings =
-        "adc_bailout ambient_light assumed_gamma charset hf_gray_16 irid_wavelength max_intersections "
+        "adc_bailout ambient_light assumed_gamma charset hf_gray_16 irid_wavelength "
+        "max_intersections "
         "max_trace_level mm_per_unit noise_generator number_of_waves photons radiosity subsurface";
     if (t.kind != Token::Kind::word) bad_setting(t, "global_settings", span, settings);
     switch (t.word) {
@@ -336,7 +374,9 @@ void Interpreter::read_global_settings(Span span) {
           unexpected(peek(), "`ascii`, `utf8` or `sys`");
         }
         break;
-      case w::photons: case w::radiosity: case w::subsurface:
+      case w::photons:
+      case w::radiosity:
+      case w::subsurface:
         not_supported(fmt::format("`{}` in global_settings", name_of(t.word)), t.span);
       default: bad_setting(t, "global_settings", span, settings);
     }
@@ -357,7 +397,8 @@ void Interpreter::read_assumed_gamma(const Token& word) {
   if (!accept(w::srgb)) {
     const double g = read_float();
     if (g <= 0) fail(Code::out_of_range, word.span, "`assumed_gamma` must be positive");
-    if (g < 1) warn(Code::out_of_range, word.span, "an `assumed_gamma` below 1 is hardly what you want");
+    if (g < 1)
+      warn(Code::out_of_range, word.span, "an `assumed_gamma` below 1 is hardly what you want");
     curve = GammaCurve::power(static_cast<float>(g));
   }
   if (assumed_gamma_given_) {

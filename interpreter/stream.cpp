@@ -286,7 +286,9 @@ void Interpreter::push_pieces(const ast::Tree& tree, ast::ExprId id, bool flatte
   const auto sub = [&](ast::ExprId child, bool flat) {
     pieces_.push_back({&tree, child, 0, 0, false, flat, tree.exprs[child].span});
   };
-  const auto punct = [&](char c) { pieces_.push_back({&tree, ast::none, c, 0, false, false, e.span}); };
+  const auto punct = [&](char c) {
+    pieces_.push_back({&tree, ast::none, c, 0, false, false, e.span});
+  };
   // A macro next to an operator must be spelled out in full, whatever stands at its other side.
   if (const auto* b = std::get_if<ast::Binary>(&e.node)) {
     sub(b->right, true);
@@ -383,7 +385,8 @@ void Interpreter::Nested::finish(std::string_view what) {
   if (t.kind != Token::Kind::end) in_.unexpected(t, what);
 }
 
-void Interpreter::close_barrier(std::size_t depth, std::size_t unread_base, std::size_t declare_depth) {
+void Interpreter::close_barrier(std::size_t depth, std::size_t unread_base,
+                                std::size_t declare_depth) {
   declare_depth_ = declare_depth;
   while (frames_.size() > depth) pop();
   unread_.resize(unread_base_);

@@ -42,9 +42,9 @@ struct Token {
 /// One level of what is being read. The innermost is the last.
 struct Frame {
   enum class Kind : std::uint8_t {
-    file,       // an include or the scene itself; owns a scope
-    macro,      // a macro body; owns a scope
-    branch,     // the taken branch of an #if
+    file,    // an include or the scene itself; owns a scope
+    macro,   // a macro body; owns a scope
+    branch,  // the taken branch of an #if
     while_,
     for_,
     switch_,    // the cases from the matching one on
@@ -53,8 +53,8 @@ struct Frame {
     expansion,  // an expression spelled out operand by operand
   };
   Kind kind = Kind::branch;
-  bool flatten = false;     // spell out every expression: operators stand next to this part
-  bool brackets = false;    // group: which closing mark
+  bool flatten = false;   // spell out every expression: operators stand next to this part
+  bool brackets = false;  // group: which closing mark
   const ast::Tree* tree = nullptr;
   std::uint32_t first = 0;  // items: the whole range, for loops
   std::uint32_t pos = 0;    // items: next
@@ -64,9 +64,9 @@ struct Frame {
   std::uint32_t next_case = 0;  // switch_
   double limit = 0;             // for_
   double step = 0;
-  Span call;                    // macro, file: where it was called
-  SymbolId name = 0;            // macro: its name
-  scene::OriginId origin = 0;   // macro, file: origin of the call, made when first needed
+  Span call;                   // macro, file: where it was called
+  SymbolId name = 0;           // macro: its name
+  scene::OriginId origin = 0;  // macro, file: origin of the call, made when first needed
   bool has_origin = false;
 };
 
@@ -75,7 +75,7 @@ struct Piece {
   const ast::Tree* tree = nullptr;
   ast::ExprId expr = ast::none;  // none: the mark below
   char punct = 0;
-  SymbolId word = 0;             // punct '.': a member name follows as a word
+  SymbolId word = 0;  // punct '.': a member name follows as a word
   bool is_word = false;
   bool flatten = false;
   Span span;

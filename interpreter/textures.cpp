@@ -9,7 +9,8 @@ namespace durer::interpreter {
 
 namespace w = grammar::words;
 
-// ---- textures -------------------------------------------------------------------------------------
+// ---- textures
+// -------------------------------------------------------------------------------------
 
 scene::TextureId Interpreter::add_texture(scene::Texture texture) {
   scene_.textures.push_back(std::move(texture));
@@ -42,8 +43,8 @@ void Interpreter::add_layers(scene::TextureUse& use, scene::TextureId added) {
   use = {add_texture(std::move(t)), {}};
 }
 
-/// `pigment`, `finish` or `normal` right in an object: changes the top layer of its texture, which is
-/// a copy of the default if there is none.
+/// `pigment`, `finish` or `normal` right in an object: changes the top layer of its texture, which
+/// is a copy of the default if there is none.
 void Interpreter::edit_texture(scene::TextureUse& use, const Token& word) {
   if (use.texture == scene::none) use = {default_texture_, {}};
   scene::Texture t;
@@ -82,7 +83,10 @@ void Interpreter::edit_layer(scene::Layer& layer, const Token& word) {
 namespace {
 bool starts_patterned_texture(SymbolId word) {
   switch (word) {
-    case w::tiles: case w::material_map: case w::uv_mapping: case w::texture_map: return true;
+    case w::tiles:
+    case w::material_map:
+    case w::uv_mapping:
+    case w::texture_map: return true;
     default: return false;
   }
 }
@@ -92,7 +96,8 @@ bool starts_patterned_texture(SymbolId word) {
 scene::TextureId Interpreter::read_texture(std::string_view block) {
   expect_open(block);
   const Token first = peek();
-  if (const Value* v = first.kind == Token::Kind::expr ? lookup(*first.tree, first.expr, false) : nullptr;
+  if (const Value* v =
+          first.kind == Token::Kind::expr ? lookup(*first.tree, first.expr, false) : nullptr;
       v != nullptr && v->get<TextureRef>() != nullptr) {
     const scene::TextureId id = v->get<TextureRef>()->id;
     next();
@@ -123,17 +128,21 @@ scene::TextureId Interpreter::read_texture_body(scene::Texture t, Span span) {
       } else if (v != nullptr && v->get<Shared<Unsupported>>() != nullptr) {
         if (top.unsupported.empty()) top.unsupported = (*v->get<Shared<Unsupported>>())->feature;
       } else {
-        bad_setting(token, "texture", span, "pigment normal finish translate rotate scale matrix transform");
+        bad_setting(token, "texture", span,
+                    "pigment normal finish translate rotate scale matrix transform");
       }
       continue;
     }
-    if (token.kind != Token::Kind::word) unexpected(token, "a pigment, normal, finish or transformation in `texture`");
+    if (token.kind != Token::Kind::word)
+      unexpected(token, "a pigment, normal, finish or transformation in `texture`");
     if (const auto transform = read_transformation(token)) {
       transform_texture(t, *transform);
       continue;
     }
     switch (token.word) {
-      case w::pigment: case w::finish: case w::normal: edit_layer(t.layers.back(), token); continue;
+      case w::pigment:
+      case w::finish:
+      case w::normal: edit_layer(t.layers.back(), token); continue;
       case w::no_bump_scale: continue;  // about normals, which bring their own error
       default: break;
     }
@@ -145,26 +154,65 @@ scene::TextureId Interpreter::read_texture_body(scene::Texture t, Span span) {
       skip_block();
       break;
     }
-    bad_setting(token, "texture", span, "pigment normal finish translate rotate scale matrix transform");
+    bad_setting(token, "texture", span,
+                "pigment normal finish translate rotate scale matrix transform");
   }
   return add_texture(std::move(t));
 }
 
-// ---- pigments (textures §3, §11, §16) -----------------------------------------------------------------
+// ---- pigments (textures §3, §11, §16)
+// -----------------------------------------------------------------
 
 bool Interpreter::is_pattern_word(SymbolId word) const {
   if (pattern_words_.contains(word)) return true;
   switch (word) {
-    case w::agate: case w::aoi: case w::average: case w::boxed: case w::bozo: case w::brick:
-    case w::bumps: case w::cells: case w::checker: case w::crackle: case w::cubic:
-    case w::cylindrical: case w::density_file: case w::dents: case w::facets: case w::function:
-    case w::gradient: case w::granite: case w::hexagon: case w::image_map: case w::image_pattern:
-    case w::julia: case w::leopard: case w::magnet: case w::mandel: case w::marble: case w::object:
-    case w::onion: case w::pavement: case w::pigment_pattern: case w::planar: case w::quilted:
-    case w::radial: case w::ripples: case w::slope: case w::spherical: case w::spiral1:
-    case w::spiral2: case w::spotted: case w::square: case w::tiling: case w::triangular:
-    case w::uv_mapping: case w::waves: case w::wood: case w::wrinkles: case w::bump_map:
-      return true;
+    case w::agate:
+    case w::aoi:
+    case w::average:
+    case w::boxed:
+    case w::bozo:
+    case w::brick:
+    case w::bumps:
+    case w::cells:
+    case w::checker:
+    case w::crackle:
+    case w::cubic:
+    case w::cylindrical:
+    case w::density_file:
+    case w::dents:
+    case w::facets:
+    case w::function:
+    case w::gradient:
+    case w::granite:
+    case w::hexagon:
+    case w::image_map:
+    case w::image_pattern:
+    case w::julia:
+    case w::leopard:
+    case w::magnet:
+    case w::mandel:
+    case w::marble:
+    case w::object:
+    case w::onion:
+    case w::pavement:
+    case w::pigment_pattern:
+    case w::planar:
+    case w::quilted:
+    case w::radial:
+    case w::ripples:
+    case w::slope:
+    case w::spherical:
+    case w::spiral1:
+    case w::spiral2:
+    case w::spotted:
+    case w::square:
+    case w::tiling:
+    case w::triangular:
+    case w::uv_mapping:
+    case w::waves:
+    case w::wood:
+    case w::wrinkles:
+    case w::bump_map: return true;
     default: return false;
   }
 }
@@ -172,7 +220,8 @@ bool Interpreter::is_pattern_word(SymbolId word) const {
 namespace {
 constexpr std::string_view pigment_settings =
     "color rgb rgbf rgbt rgbft checker brick hexagon gradient agate bozo bumps cells crackle "
-    "cylindrical dents granite leopard marble onion planar quilted radial ripples spherical spotted "
+    "cylindrical dents granite leopard marble onion planar quilted radial ripples spherical "
+    "spotted "
     "waves wood wrinkles image_map color_map pigment_map turbulence frequency phase warp "
     "translate rotate scale matrix transform quick_color";
 }  // namespace
@@ -242,7 +291,11 @@ void Interpreter::read_pigment_body(scene::Pigment& p, Token::Kind last) {
 
 bool Interpreter::is_warp_word(SymbolId word) const {
   switch (word) {
-    case w::turbulence: case w::octaves: case w::omega: case w::lambda: case w::warp:
+    case w::turbulence:
+    case w::octaves:
+    case w::omega:
+    case w::lambda:
+    case w::warp:
     case w::noise_generator: return true;
     default: return false;
   }
@@ -274,12 +327,13 @@ void Interpreter::start_pattern(scene::Pigment& p, std::uint32_t index, const To
   if (info.list_size > 0) read_colour_list(p, info);
   p.args = read_operands(info, word);
   if (info.list_size == 0) {
-    for (const scene::MapEntry& e : info.default_map) p.entries.push_back({e.key, e.colour, scene::none});
+    for (const scene::MapEntry& e : info.default_map)
+      p.entries.push_back({e.key, e.colour, scene::none});
   }
 }
 
-/// `checker Red, White` or `checker pigment {…} pigment {…}`: up to `list_size` entries, the rest from
-/// the default list (textures §11.5).
+/// `checker Red, White` or `checker pigment {…} pigment {…}`: up to `list_size` entries, the rest
+/// from the default list (textures §11.5).
 void Interpreter::read_colour_list(scene::Pigment& p, const scene::PatternInfo& info) {
   const bool pigments = peek().is(w::pigment);
   for (int i = 0; i < info.list_size; ++i) {
@@ -290,7 +344,8 @@ void Interpreter::read_colour_list(scene::Pigment& p, const scene::PatternInfo& 
       entry.pigment = static_cast<std::uint32_t>(p.children.size());
       if (t.is(w::pigment)) {
         next();
-        scene::Pigment child = read_pigment(scene_.textures[default_texture_].layers.back().pigment);
+        scene::Pigment child =
+            read_pigment(scene_.textures[default_texture_].layers.back().pigment);
         p.children.push_back(std::move(child));
         optional_comma();
       } else {
@@ -323,15 +378,19 @@ bool Interpreter::pigment_modifier(scene::Pigment& p, const Token& t) {
       p.wave = scene::Wave::poly;
       if (starts_number(peek())) p.wave_exponent = static_cast<float>(read_float());
       return true;
-    case w::quick_color: case w::quick_colour:
+    case w::quick_color:
+    case w::quick_colour:
       read_colour();  // shown at quality 5 and below only
       return true;
-    case w::color_map: case w::colour_map: case w::pigment_map: {
+    case w::color_map:
+    case w::colour_map:
+    case w::pigment_map: {
       const bool block = p.pattern != scene::none && registry_.patterns[p.pattern]->list_size > 0;
       if (block || (p.pattern == scene::none && p.unsupported.empty())) {
         fail(Code::unexpected_item, t.span,
-             block ? fmt::format("`{}` takes a list, not a map", registry_.patterns[p.pattern]->name)
-                   : fmt::format("`{}` needs a pattern before it", name_of(t.word)));
+             block
+                 ? fmt::format("`{}` takes a list, not a map", registry_.patterns[p.pattern]->name)
+                 : fmt::format("`{}` needs a pattern before it", name_of(t.word)));
       }
       ColourMap map = t.word == w::pigment_map ? read_pigment_map() : read_colour_map();
       p.entries = std::move(map.entries);
@@ -377,7 +436,8 @@ ColourMap Interpreter::read_colour_map() {
         continue_colour(colour);
         entry.colour = colour.colour();
       } else {
-        fail(Code::wrong_kind, c.span, "expected a colour, found a vector", "write `rgb` before it");
+        fail(Code::wrong_kind, c.span, "expected a colour, found a vector",
+             "write `rgb` before it");
       }
     } else if (starts_colour(c)) {
       entry.colour = read_colour();
@@ -393,7 +453,8 @@ ColourMap Interpreter::read_colour_map() {
 }
 
 void Interpreter::check_map(const ColourMap& map) {
-  if (map.entries.empty()) fail(Code::missing_argument, peek().span, "a map needs at least one entry");
+  if (map.entries.empty())
+    fail(Code::missing_argument, peek().span, "a map needs at least one entry");
   if (map.entries.size() > 256) fail(Code::limit, peek().span, "a map has at most 256 entries");
 }
 
@@ -425,7 +486,8 @@ ColourMap Interpreter::read_pigment_map() {
   return map;
 }
 
-// ---- finishes (shading §4.1) --------------------------------------------------------------------------
+// ---- finishes (shading §4.1)
+// --------------------------------------------------------------------------
 
 scene::Finish Interpreter::read_finish(scene::Finish f) {
   static constexpr std::string_view settings =
@@ -559,11 +621,13 @@ void Interpreter::read_reflection(scene::Finish& f) {
   if (f.fresnel && !two) f.reflection_min = vec3(0.0F);
 }
 
-// ---- interiors and materials ---------------------------------------------------------------------------
+// ---- interiors and materials
+// ---------------------------------------------------------------------------
 
 scene::InteriorId Interpreter::read_interior() {
   static constexpr std::string_view settings =
-      "ior dispersion dispersion_samples caustics fade_distance fade_power fade_color refraction media";
+      "ior dispersion dispersion_samples caustics fade_distance fade_power fade_color refraction "
+      "media";
   const Span opened = peek().span;
   expect_open("interior");
   scene::Interior i;
@@ -589,12 +653,14 @@ scene::InteriorId Interpreter::read_interior() {
       case w::dispersion: i.dispersion = read_float(); break;
       case w::dispersion_samples:
         i.dispersion_samples = static_cast<int>(read_float());
-        if (i.dispersion_samples < 2) fail(Code::out_of_range, t.span, "`dispersion_samples` must be at least 2");
+        if (i.dispersion_samples < 2)
+          fail(Code::out_of_range, t.span, "`dispersion_samples` must be at least 2");
         break;
       case w::caustics: i.caustics = static_cast<float>(read_float()); break;
       case w::fade_distance: i.fade_distance = read_float(); break;
       case w::fade_power: i.fade_power = read_float(); break;
-      case w::fade_color: case w::fade_colour: i.fade_colour = read_rgb(); break;
+      case w::fade_color:
+      case w::fade_colour: i.fade_colour = read_rgb(); break;
       case w::refraction: i.refraction = static_cast<float>(read_float()); break;
       case w::media:
         i.unsupported = "`media`";

@@ -28,8 +28,7 @@ struct Num {
   Num() = default;
   explicit Num(double x) : v{x} {}
   explicit Num(dvec3 p) : v{p.x, p.y, p.z}, length(3) {}
-  explicit Num(const Colour& c)
-      : v{c.rgb.x, c.rgb.y, c.rgb.z, c.filter, c.transmit}, length(5) {}
+  explicit Num(const Colour& c) : v{c.rgb.x, c.rgb.y, c.rgb.z, c.filter, c.transmit}, length(5) {}
 
   /// A float where `n` components are wanted: every slot filled, `n` long.
   [[nodiscard]] static Num filled(double x, int n) {

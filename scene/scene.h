@@ -25,8 +25,8 @@ struct Light {
   bool parallel = false;
   bool shadowless = false;
   dvec3 point_at{0, 0, 1};
-  double radius_deg = 30;    // full intensity inside
-  double falloff_deg = 45;   // nothing outside
+  double radius_deg = 30;   // full intensity inside
+  double falloff_deg = 45;  // nothing outside
   double tightness = 0;
   double fade_distance = 0;  // 0: off
   double fade_power = 0;
@@ -44,11 +44,12 @@ struct Camera {
   OriginId origin = 0;
 };
 
-/// Pigments on the inside of an infinite sphere: the colour of rays that hit nothing (shading §7.2).
+/// Pigments on the inside of an infinite sphere: the colour of rays that hit nothing (shading
+/// §7.2).
 struct SkySphere {
   std::vector<Pigment> pigments;  // in written order; later ones lie on top
   vec3 emission{1.0F};
-  SharedTransform transform;      // pigment space → world; applied to the unit direction as to a point
+  SharedTransform transform;  // pigment space → world; applied to the unit direction as to a point
   OriginId origin = 0;
 };
 
@@ -60,9 +61,9 @@ struct Settings {
   int max_trace_level = 5;
   vec3 ambient_light{1.0F};
   vec3 irid_wavelength{0.70F, 0.52F, 0.48F};
-  int noise_generator = 0;    // 1, 2 or 3; the interpreter resolves the default
-  int number_of_waves = 10;   // sources of the `waves` and `ripples` patterns
-  double mm_per_unit = 10;    // scale of subsurface light transport
+  int noise_generator = 0;   // 1, 2 or 3; the interpreter resolves the default
+  int number_of_waves = 10;  // sources of the `waves` and `ripples` patterns
+  double mm_per_unit = 10;   // scale of subsurface light transport
   GammaMode gamma_mode = GammaMode::off;
   GammaCurve assumed_gamma;  // meaning of scene numbers; identity curve in mode `off`
   /// Hundredths; decides opacity, sky and gamma rules at render time (shading §1.1).

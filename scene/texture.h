@@ -29,12 +29,12 @@ struct PigmentEntry {
 
 /// A colour for every point. `pattern` == none: the plain `colour` everywhere.
 struct Pigment {
-  std::uint32_t pattern = none;       // index into Registry::patterns
-  std::vector<double> args;           // the pattern's operands, laid out by its Params
+  std::uint32_t pattern = none;  // index into Registry::patterns
+  std::vector<double> args;      // the pattern's operands, laid out by its Params
   Colour colour;
   std::vector<PigmentEntry> entries;  // in written order, never sorted (textures §11.1)
   std::vector<Pigment> children;
-  SharedTransform transform;          // pattern space → the texture's space
+  SharedTransform transform;  // pattern space → the texture's space
   float frequency = 1;
   float phase = 0;
   Wave wave = Wave::ramp;
@@ -92,7 +92,7 @@ struct Interior {
   double ior = -1;  // negative: the atmosphere's
   double dispersion = 1;
   int dispersion_samples = 7;
-  float caustics = 0;      // as written, before the factor 45
+  float caustics = 0;  // as written, before the factor 45
   double fade_distance = 0;
   double fade_power = 0;
   vec3 fade_colour{0.0F};

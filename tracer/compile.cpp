@@ -15,8 +15,7 @@ const scene::Finish* interior_words(const scene::Scene& scene, const Surface& su
   return texture.layers.empty() ? nullptr : &texture.layers.back().finish;
 }
 
-bool all_supported(const scene::Scene& scene, const Geometry& geometry,
-                   Diagnostics& diagnostics) {
+bool all_supported(const scene::Scene& scene, const Geometry& geometry, Diagnostics& diagnostics) {
   UnsupportedReport report(scene, diagnostics);
   for (const Leaf& leaf : geometry.leaves()) {
     const Surface& surface = geometry.surfaces()[leaf.surface];

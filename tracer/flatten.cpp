@@ -7,8 +7,8 @@
 #include <unordered_set>
 
 #include "tracer/extent.h"
-#include "tracer/primitives/store.h"
 #include "tracer/primitives/registry.h"
+#include "tracer/primitives/store.h"
 
 namespace durer::tracer {
 namespace {
@@ -197,8 +197,8 @@ class Flattener {
     const Object& object = scene_.objects[id];
     FlatGate gate;
     gate.outer = around.gate;
-    const bool drops_bounds = object.kind == NodeKind::primitive &&
-                              !primitive_infos()[object.type]->keeps_bounds;
+    const bool drops_bounds =
+        object.kind == NodeKind::primitive && !primitive_infos()[object.type]->keeps_bounds;
     if (drops_bounds && around.splits) {
       const auto box = bounding_box_of(scene_, id, around.to_world);
       if (!box) return;

@@ -8,8 +8,8 @@
 
 namespace durer::tracer {
 
-struct Parts;      // shapes and programs of the scene, see csg/
-struct SweepState; // buffers of one thread, see csg/
+struct Parts;       // shapes and programs of the scene, see csg/
+struct SweepState;  // buffers of one thread, see csg/
 
 /// Where a ray ended: enough to make a Hit.
 struct Found {

@@ -13,16 +13,16 @@ namespace durer::tracer {
 struct RenderOptions {
   int width = 160;
   int height = 120;
-  bool antialias = false;       // method 1 (shading §3.2)
-  float aa_threshold = 0.3F;    // 0…1
-  int aa_depth = 3;             // n: n·n + 1 samples; 1…9
-  float aa_jitter = 1.0F;       // 0…1; 0: off
+  bool antialias = false;     // method 1 (shading §3.2)
+  float aa_threshold = 0.3F;  // 0…1
+  int aa_depth = 3;           // n: n·n + 1 samples; 1…9
+  float aa_jitter = 1.0F;     // 0…1; 0: off
   float aa_gamma = 2.5F;
   /// The alpha channel will be used: the background's filter and transmit count. Without it they
   /// are taken for 0, also by anti-aliasing (shading §7.2).
   bool alpha = false;
-  int block_size = 32;          // pixels; anti-aliasing looks at blocks (shading §3.2)
-  int threads = 0;              // 0: all
+  int block_size = 32;  // pixels; anti-aliasing looks at blocks (shading §3.2)
+  int threads = 0;      // 0: all
   // Part of the picture to render: 0-based, end exclusive; -1: to the edge.
   int first_column = 0;
   int end_column = -1;

@@ -45,8 +45,8 @@ T f_cushion(const Args<T>& a) {
   const T x2 = sqr(x);
   const T y2 = sqr(y);
   const T z2 = sqr(z);
-  return field(a, T(x2 * z2 - sqr(z2) - 2 * x2 * z + 2 * cube(z) + x2 - z2 - sqr(x2 - z) -
-                    sqr(y2) - 2 * x2 * y2 - y2 * z2 + 2 * y2 * z + y2));
+  return field(a, T(x2 * z2 - sqr(z2) - 2 * x2 * z + 2 * cube(z) + x2 - z2 - sqr(x2 - z) - sqr(y2) -
+                    2 * x2 * y2 - y2 * z2 + 2 * y2 * z + y2));
 }
 template <class T>
 T f_devils_curve(const Args<T>& a) {
@@ -84,8 +84,8 @@ T f_enneper(const Args<T>& a) {
 }
 template <class T>
 T f_folium_surface(const Args<T>& a) {
-  return field(a, T((sqr(a.y) + sqr(a.z)) * (1 + (a.p[2] - 4 * a.p[1]) * a.x) +
-                    sqr(a.x) * (1 + a.p[2])));
+  return field(
+      a, T((sqr(a.y) + sqr(a.z)) * (1 + (a.p[2] - 4 * a.p[1]) * a.x) + sqr(a.x) * (1 + a.p[2])));
 }
 template <class T>
 T f_glob(const Args<T>& a) {
@@ -95,7 +95,8 @@ template <class T>
 T f_heart(const Args<T>& a) {
   const T x2 = sqr(a.x);
   const T y2 = sqr(a.y);
-  return field(a, T(-(cube(T(2 * x2 + y2 + sqr(a.z) - 1)) - 0.1 * x2 * cube(a.z) - y2 * cube(a.z))));
+  return field(a,
+               T(-(cube(T(2 * x2 + y2 + sqr(a.z) - 1)) - 0.1 * x2 * cube(a.z) - y2 * cube(a.z))));
 }
 template <class T>
 T f_hunt_surface(const Args<T>& a) {
@@ -129,7 +130,8 @@ T f_kummer_surface_v1(const Args<T>& a) {
   const T x2 = sqr(a.x);
   const T y2 = sqr(a.y);
   const T z2 = sqr(a.z);
-  return field(a, T(-(sqr(x2) + sqr(y2) + sqr(z2) - x2 - y2 - z2 - x2 * y2 - x2 * z2 - y2 * z2 + 1)));
+  return field(a,
+               T(-(sqr(x2) + sqr(y2) + sqr(z2) - x2 - y2 - z2 - x2 * y2 - x2 * z2 - y2 * z2 + 1)));
 }
 template <class T>
 T f_kummer_surface_v2(const Args<T>& a) {
@@ -171,8 +173,8 @@ T f_parabolic_torus(const Args<T>& a) {
   const T Q = sqr(a.p[2]);
   const T x2 = sqr(a.x);
   const T y2 = sqr(a.y);
-  return field(a, T(-(sqr(x2) + 2 * x2 * y2 - 2 * x2 * a.z - (P + Q) * x2 + sqr(y2) -
-                      2 * y2 * a.z + (P - Q) * y2 + sqr(a.z) + (P + Q) * a.z + sqr(P - Q))));
+  return field(a, T(-(sqr(x2) + 2 * x2 * y2 - 2 * x2 * a.z - (P + Q) * x2 + sqr(y2) - 2 * y2 * a.z +
+                      (P - Q) * y2 + sqr(a.z) + (P + Q) * a.z + sqr(P - Q))));
 }
 template <class T>
 T f_pillow(const Args<T>& a) {
@@ -207,15 +209,15 @@ T f_steiners_roman(const Args<T>& a) {
 template <class T>
 T f_strophoid(const Args<T>& a) {
   const T f2 = sqr(a.p[3]);
-  return field(a, T(-((a.p[2] - a.x) * (sqr(a.y) + sqr(a.z)) - f2 * a.p[1] * sqr(a.x) -
-                      f2 * cube(a.x))));
+  return field(
+      a, T(-((a.p[2] - a.x) * (sqr(a.y) + sqr(a.z)) - f2 * a.p[1] * sqr(a.x) - f2 * cube(a.x))));
 }
 template <class T>
 T f_torus2(const Args<T>& a) {
   const T P = sqr(a.p[1]);
   const T Q = sqr(a.p[2]);
-  return field(a, T(-(sqr(square_sum(a)) - 2 * (P + Q) * rho2(a) + 2 * (P - Q) * sqr(a.y) +
-                      sqr(P - Q))));
+  return field(
+      a, T(-(sqr(square_sum(a)) - 2 * (P + Q) * rho2(a) + 2 * (P - Q) * sqr(a.y) + sqr(P - Q))));
 }
 template <class T>
 T f_torus_gumdrop(const Args<T>& a) {

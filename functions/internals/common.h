@@ -79,18 +79,20 @@ struct Profile {
 /// Switch, offset and angle in degrees are p[first], p[first + 1], p[first + 2].
 template <class T>
 [[nodiscard]] Profile<T> profile(const Args<T>& a, int first) {
-  return {lazily(lt(T(0), a.p[first]),
-                 [&] {
-                   const T angle = a.p[first + 2] * (pi / 180);
-                   return T((rho(a) - a.p[first + 1]) * cos(angle) - a.y * sin(angle));
-                 },
-                 [&] { return a.x; }),
-          lazily(lt(T(0), a.p[first]),
-                 [&] {
-                   const T angle = a.p[first + 2] * (pi / 180);
-                   return T(a.y * cos(angle) + (rho(a) - a.p[first + 1]) * sin(angle));
-                 },
-                 [&] { return a.y; })};
+  return {lazily(
+              lt(T(0), a.p[first]),
+              [&] {
+                const T angle = a.p[first + 2] * (pi / 180);
+                return T((rho(a) - a.p[first + 1]) * cos(angle) - a.y * sin(angle));
+              },
+              [&] { return a.x; }),
+          lazily(
+              lt(T(0), a.p[first]),
+              [&] {
+                const T angle = a.p[first + 2] * (pi / 180);
+                return T(a.y * cos(angle) + (rho(a) - a.p[first + 1]) * sin(angle));
+              },
+              [&] { return a.y; })};
 }
 
 /// Distance from the middle of a cross section: round for c = 1, square for 0, rounded between.

@@ -25,7 +25,9 @@ T ridge_sum(const T& x, const T& y, const T& z, const double* p) {
   const double ridge = p[4];
   const NoiseGenerator g = generator_of(p[5]);
   const double size = max(ridge, 1 - ridge);
-  const auto f = [&](double k) { return T(abs(noise(k * x, k * y, k * z, g) - ridge) / size - offset); };
+  const auto f = [&](double k) {
+    return T(abs(noise(k * x, k * y, k * z, g) - ridge) / size - offset);
+  };
   const int n = static_cast<int>(truncated32(octaves));
   T value = f(1);
   double total = 1;
@@ -45,8 +47,8 @@ T ridge_sum(const T& x, const T& y, const T& z, const double* p) {
   return value / max(offset, 1 - offset) / total;
 }
 
-/// Octave weights (lacunarity^i)^-H are computed for every call; the oracle keeps those of the first
-/// call of the run for ever, which differs only in scenes with several parameter sets.
+/// Octave weights (lacunarity^i)^-H are computed for every call; the oracle keeps those of the
+/// first call of the run for ever, which differs only in scenes with several parameter sets.
 template <class T>
 T ridged_mf_sum(T x, T y, T z, const double* p) {
   const double H = p[0];
@@ -102,8 +104,8 @@ T hetero_mf_sum(T x, T y, T z, const double* p) {
   return sum;
 }
 
-/// Applies a sum whose parameters are single numbers. Where they vary over the batch it goes lane by
-/// lane, over a box there is no bound, and gradients take them as constants.
+/// Applies a sum whose parameters are single numbers. Where they vary over the batch it goes lane
+/// by lane, over a box there is no bound, and gradients take them as constants.
 template <int octaves, class T, class Sum>
 T with_uniform_parameters(const Args<T>& a, Sum sum) {
   double p[6];
@@ -112,9 +114,8 @@ T with_uniform_parameters(const Args<T>& a, Sum sum) {
   p[octaves] = std::min(p[octaves], max_terms);
   if constexpr (std::is_same_v<T, Pack>) {
     if (!uniform) {
-      return by_lane<6>(a, [&](const Args<double>& b) {
-        return with_uniform_parameters<octaves>(b, sum);
-      });
+      return by_lane<6>(
+          a, [&](const Args<double>& b) { return with_uniform_parameters<octaves>(b, sum); });
     }
   } else if constexpr (std::is_same_v<T, Interval>) {
     if (!uniform) return Interval::entire(true);

@@ -15,7 +15,8 @@ template <class T>
 T f_algbr_cyl2(const Args<T>& a) {
   const auto [x, y] = profile(a, 2);
   const T y2 = sqr(y);
-  return clamped(T(-a.p[0] * (2 * fourth(x) - 3 * sqr(x) * y + y2 - 2 * cube(y) + sqr(y2))), a.p[1]);
+  return clamped(T(-a.p[0] * (2 * fourth(x) - 3 * sqr(x) * y + y2 - 2 * cube(y) + sqr(y2))),
+                 a.p[1]);
 }
 template <class T>
 T f_algbr_cyl3(const Args<T>& a) {

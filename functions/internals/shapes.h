@@ -47,8 +47,10 @@ T f_helix1(const Args<T>& a) {
   const T u = r - p[3];
   const auto straight = either(eq(p[5], T(1)), eq(p[6], T(0)));
   const T angle = p[6] * (pi / 180);
-  const T u2 = lazily(straight, [&] { return u; }, [&] { return T(u * cos(angle) - v * sin(angle)); });
-  const T v2 = lazily(straight, [&] { return v; }, [&] { return T(u * sin(angle) + v * cos(angle)); });
+  const T u2 = lazily(
+      straight, [&] { return u; }, [&] { return T(u * cos(angle) - v * sin(angle)); });
+  const T v2 = lazily(
+      straight, [&] { return v; }, [&] { return T(u * sin(angle) + v * cos(angle)); });
   return -p[2] + min(T(p[3] + r), cross_section(u2, v2, p[5]));
 }
 template <class T>
@@ -95,16 +97,18 @@ T f_mesh1(const Args<T>& a) {
   const T& y = a.y;
   const T& z = a.z;
   const T* const p = a.p;
-  const auto offset = [&](const T& q, const T& d) { return T(abs(positive_mod(q, T(2 * d)) - d) * p[2]); };
+  const auto offset = [&](const T& q, const T& d) {
+    return T(abs(positive_mod(q, T(2 * d)) - d) * p[2]);
+  };
   const T wave_z = p[3] * cos(pi * z / p[1]);
   const T wave_x = p[3] * cos(pi * x / p[0]);
   const auto thread = [&](const T& height, const T& side) {
     return T(sqrt(sqr(height * p[4]) + sqr(side)));
   };
-  const T along_z = min(thread(T(y - wave_z), offset(x, p[0])),
-                        thread(T(y + wave_z), offset(T(x - p[0]), p[0])));
-  const T along_x = min(thread(T(y + wave_x), offset(z, p[1])),
-                        thread(T(y - wave_x), offset(T(z - p[1]), p[1])));
+  const T along_z =
+      min(thread(T(y - wave_z), offset(x, p[0])), thread(T(y + wave_z), offset(T(x - p[0]), p[0])));
+  const T along_x =
+      min(thread(T(y + wave_x), offset(z, p[1])), thread(T(y - wave_x), offset(T(z - p[1]), p[1])));
   return min(along_z, along_x);
 }
 template <class T>

@@ -3,7 +3,6 @@
 #include "functions/noise_cell.h"
 #include "functions/simd/quad.h"
 
-
 namespace durer::functions::simd {
 namespace {
 
@@ -27,7 +26,8 @@ struct Weights {
   /// Sum over the eight corners whose rows start `skip` numbers behind the rows of the cell.
   DURER_INLINE double sum(const Cell& cell, int skip = 0) const {
     const auto edge = [&](int corner) DURER_LAMBDA_INLINE {
-      return Quad::load(cell.row[corner] + skip) * x0 + Quad::load(cell.row[corner + 1] + skip) * x1;
+      return Quad::load(cell.row[corner] + skip) * x0 +
+             Quad::load(cell.row[corner + 1] + skip) * x1;
     };
     return ((edge(0) * y0 + edge(2) * y1) * z0 + (edge(4) * y0 + edge(6) * y1) * z1).sum();
   }
@@ -102,9 +102,8 @@ DURER_INLINE double turbulence_of(dvec3 p, const Octaves& o, int generator) {
     });
   }
   const NoiseScale scale = noise_scale(generator);
-  return turbulence_sum<Quad>(p, o, generator, [&](dvec3 q) DURER_LAMBDA_INLINE {
-    return table_noise<Quad>(q, scale);
-  });
+  return turbulence_sum<Quad>(
+      p, o, generator, [&](dvec3 q) DURER_LAMBDA_INLINE { return table_noise<Quad>(q, scale); });
 }
 template <class Quad>
 DURER_INLINE dvec3 vturbulence_of(dvec3 p, const Octaves& o) {
@@ -122,22 +121,22 @@ DURER_INLINE dvec3 vturbulence_of(dvec3 p, const Octaves& o) {
 }  // namespace
 
 // One set of entry points: `target` is the attribute of each, `Quad` its register form.
-#define DURER_NOISE_KERNELS(name, Quad, target)                                                \
-  namespace name {                                                                             \
-  target double noise(double x, double y, double z, int g) {                                   \
-    return noise_of<Quad>({x, y, z}, g);                                                       \
-  }                                                                                            \
-  target void noise_many(const dvec3* p, std::size_t n, int g, double* out) {                  \
-    noise_many_of<Quad>(p, n, g, out);                                                         \
-  }                                                                                            \
-  target dvec3 vnoise(dvec3 p) { return vector_noise<Quad>(p); }                               \
-  target void vnoise_many(const dvec3* p, std::size_t n, dvec3* out) {                         \
-    vnoise_many_of<Quad>(p, n, out);                                                           \
-  }                                                                                            \
-  target double turbulence(dvec3 p, const Octaves& o, int g) {                                 \
-    return turbulence_of<Quad>(p, o, g);                                                       \
-  }                                                                                            \
-  target dvec3 vturbulence(dvec3 p, const Octaves& o) { return vturbulence_of<Quad>(p, o); }   \
+#define DURER_NOISE_KERNELS(name, Quad, target)                                                  \
+  namespace name {                                                                               \
+  target double noise(double x, double y, double z, int g) {                                     \
+    return noise_of<Quad>({x, y, z}, g);                                                         \
+  }                                                                                              \
+  target void noise_many(const dvec3* p, std::size_t n, int g, double* out) {                    \
+    noise_many_of<Quad>(p, n, g, out);                                                           \
+  }                                                                                              \
+  target dvec3 vnoise(dvec3 p) { return vector_noise<Quad>(p); }                                 \
+  target void vnoise_many(const dvec3* p, std::size_t n, dvec3* out) {                           \
+    vnoise_many_of<Quad>(p, n, out);                                                             \
+  }                                                                                              \
+  target double turbulence(dvec3 p, const Octaves& o, int g) {                                   \
+    return turbulence_of<Quad>(p, o, g);                                                         \
+  }                                                                                              \
+  target dvec3 vturbulence(dvec3 p, const Octaves& o) { return vturbulence_of<Quad>(p, o); }     \
   constexpr NoiseKernels table{noise, noise_many, vnoise, vnoise_many, turbulence, vturbulence}; \
   }
 
@@ -159,8 +158,8 @@ const NoiseKernels* avx2_kernels() {
 
 namespace {
 
-// Not a function-local static: its guard would cost a tenth of a noise call. Whoever asks before the
-// second line has run gets the baseline, which gives the same bits.
+// Not a function-local static: its guard would cost a tenth of a noise call. Whoever asks before
+// the second line has run gets the baseline, which gives the same bits.
 constinit const NoiseKernels* best = &baseline::table;
 [[maybe_unused]] const bool chosen = [] {
   if (avx2_kernels() != nullptr) best = avx2_kernels();

@@ -14,7 +14,9 @@ using Double4 = double __attribute__((vector_size(32)));
 struct WideQuad {
   Double4 v;
 
-  static DURER_INLINE WideQuad of(double a, double b, double c, double d) { return {Double4{a, b, c, d}}; }
+  static DURER_INLINE WideQuad of(double a, double b, double c, double d) {
+    return {Double4{a, b, c, d}};
+  }
   static DURER_INLINE WideQuad load(const double* p) {
     WideQuad r;
     std::memcpy(&r.v, p, sizeof r.v);

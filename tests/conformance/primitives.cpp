@@ -101,8 +101,8 @@ void for_every_subject(Check&& check) {
     REQUIRE(samples.size() >= 2);
     for (const auto& args : samples) {
       CAPTURE(args);
-      REQUIRE((type->open_ended ? args.size() >= type->arg_count()
-                              : args.size() == type->arg_count()));
+      REQUIRE(
+          (type->open_ended ? args.size() >= type->arg_count() : args.size() == type->arg_count()));
       if (type->validate != nullptr) CHECK_FALSE(type->validate(args).has_value());
       const auto all = placements();
       for (std::size_t i = 0; i < all.size(); ++i) {

@@ -41,7 +41,8 @@ class Antialias {
   template <typename Sample, typename Put>
   void render(const Block& block, const Sample& sample, const Put& put) {
     start(block);
-    for (int x = block.left; x < block.right; ++x) take_centre(x, block.top - 1, sample).done = true;
+    for (int x = block.left; x < block.right; ++x)
+      take_centre(x, block.top - 1, sample).done = true;
     for (int y = block.top; y < block.bottom; ++y) {
       take_centre(block.left - 1, y, sample).done = true;
       for (int x = block.left; x < block.right; ++x) visit(x, y, sample);

@@ -74,7 +74,8 @@ class BlockRenderer {
   Pixel sample(double x, double y, std::uint32_t index) {
     const double u = (x + 0.5) / options_->width - 0.5;
     const double v = 0.5 - (y + 0.5) / options_->height;
-    scratch_.noise = seed(static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y)), index);
+    scratch_.noise =
+        seed(static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y)), index);
     Path path;
     path.ray = camera_.ray(u, v);
     path.inside = Camera::one_origin ? scene_->around_camera : around(path.ray.o);
@@ -134,7 +135,8 @@ RenderResult render(const CompiledScene& scene, const RenderOptions& options,
                     const std::atomic<bool>* cancel) {
   // Without anti-aliasing pixels are independent, and small blocks share the work out better.
   constexpr int small_block = 16;
-  const int size = options.antialias ? options.block_size : std::min(options.block_size, small_block);
+  const int size =
+      options.antialias ? options.block_size : std::min(options.block_size, small_block);
   const Block part = part_of(options);
   const std::vector<Block> blocks = blocks_of(part, std::max(1, size));
   const int hardware = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));

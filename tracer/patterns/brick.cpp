@@ -18,8 +18,8 @@ struct Brick {
       keyword<&Brick::mortar>("mortar", "width of the joints"),
   };
   static constexpr std::array samples{
-      Sample{{0, 0, 0}, 1},     Sample{{2, 1, 2}, 0},   Sample{{2, 2.7, 2}, 0},
-      Sample{{4.1, 1, 3}, 1},   Sample{{4, 4, 3}, 1},   Sample{{3.7, 4, 2}, 0},
+      Sample{{0, 0, 0}, 1},   Sample{{2, 1, 2}, 0}, Sample{{2, 2.7, 2}, 0},
+      Sample{{4.1, 1, 3}, 1}, Sample{{4, 4, 3}, 1}, Sample{{3.7, 4, 2}, 0},
   };
 
   void prepare() { mortar = static_cast<float>(static_cast<float>(mortar) - 2 * epsilon); }

@@ -10,7 +10,7 @@ namespace {
 // that lie exactly on a lattice plane in one cube.
 struct Checker {
   static constexpr std::array samples{
-      Sample{{0.5, 0.5, 0.5}, 0}, Sample{{1.5, 0.5, 0.5}, 1},   Sample{{0.5, -0.5, 0.5}, 1},
+      Sample{{0.5, 0.5, 0.5}, 0}, Sample{{1.5, 0.5, 0.5}, 1},  Sample{{0.5, -0.5, 0.5}, 1},
       Sample{{-1, -1, -1}, 1},    Sample{{-1e-11, 0.5, 0}, 0}, Sample{{-1e-9, 0.5, 0}, 1},
   };
   double operator()(dvec3 p) const {

@@ -9,12 +9,8 @@ namespace {
 // (textures §6.4).
 struct Cubic {
   static constexpr std::array samples{
-      Sample{{2, 1, -1}, 0},
-      Sample{{0, 1, 0}, 1},
-      Sample{{0, 0.5, 1}, 2},
-      Sample{{-1, 0.5, 0.5}, 3},
-      Sample{{0, -1, 0}, 4},
-      Sample{{0, 0, -1}, 5},
+      Sample{{2, 1, -1}, 0},     Sample{{0, 1, 0}, 1},  Sample{{0, 0.5, 1}, 2},
+      Sample{{-1, 0.5, 0.5}, 3}, Sample{{0, -1, 0}, 4}, Sample{{0, 0, -1}, 5},
       Sample{{0, 0, 0}, 0},
   };
   double operator()(dvec3 p) const {
@@ -29,17 +25,13 @@ struct Cubic {
 };
 
 constexpr std::array default_list{
-    entry(0, 1, 0, 0),
-    entry(1, 0, 1, 0),
-    entry(2, 0, 0, 1),
-    entry(3, 1, 1, 0),
-    entry(4, 0, 1, 1),
-    entry(5, 1, 0, 1),
+    entry(0, 1, 0, 0), entry(1, 0, 1, 0), entry(2, 0, 0, 1),
+    entry(3, 1, 1, 0), entry(4, 0, 1, 1), entry(5, 1, 0, 1),
 };
 
 }  // namespace
 
-extern constinit const PatternType cubic_pattern =
-    describe_pattern<Cubic>("cubic", "Six pyramids that make up space.", {.list_size = 6, .default_map = default_list});
+extern constinit const PatternType cubic_pattern = describe_pattern<Cubic>(
+    "cubic", "Six pyramids that make up space.", {.list_size = 6, .default_map = default_list});
 
 }  // namespace durer::tracer::patterns

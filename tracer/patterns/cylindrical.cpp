@@ -13,14 +13,12 @@ struct Cylindrical {
       Sample{{0.3, 0, 0.4}, 0.5},
       Sample{{1, 0, 1}, 0},
   };
-  double operator()(dvec3 p) const {
-    return std::max(0.0, 1 - std::sqrt(p.x * p.x + p.z * p.z));
-  }
+  double operator()(dvec3 p) const { return std::max(0.0, 1 - std::sqrt(p.x * p.x + p.z * p.z)); }
 };
 
 }  // namespace
 
-extern constinit const PatternType cylindrical_pattern =
-    describe_pattern<Cylindrical>("cylindrical", "A column along the y axis.", {.default_map = black_to_white});
+extern constinit const PatternType cylindrical_pattern = describe_pattern<Cylindrical>(
+    "cylindrical", "A column along the y axis.", {.default_map = black_to_white});
 
 }  // namespace durer::tracer::patterns

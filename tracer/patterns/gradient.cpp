@@ -14,8 +14,10 @@ struct Gradient {
       positional<&Gradient::direction>("direction", "where the ramp goes; its length is ignored"),
   };
   static constexpr std::array samples{
-      Sample{{0.25, 7, 0}, 0.25}, Sample{{-0.25, 0, 0}, -0.25},
-      Sample{{1, 0, 0}, 1},       Sample{{2.5, 0, 0}, 0.5},
+      Sample{{0.25, 7, 0}, 0.25},
+      Sample{{-0.25, 0, 0}, -0.25},
+      Sample{{1, 0, 0}, 1},
+      Sample{{2.5, 0, 0}, 0.5},
   };
 
   void prepare() { direction /= glm::length(direction); }

@@ -76,7 +76,9 @@ constexpr auto operand(std::string_view name, std::string_view doc, bool positio
 }
 
 template <typename P>
-concept HasOperands = requires { P::operands.size(); };
+concept HasOperands = requires {
+  P::operands.size();
+};
 
 // The operands of P as the language sees them; a default value is that of the member.
 template <typename P>

@@ -18,7 +18,7 @@ struct Spherical {
 
 }  // namespace
 
-extern constinit const PatternType spherical_pattern =
-    describe_pattern<Spherical>("spherical", "A ball around the origin.", {.default_map = black_to_white});
+extern constinit const PatternType spherical_pattern = describe_pattern<Spherical>(
+    "spherical", "A ball around the origin.", {.default_map = black_to_white});
 
 }  // namespace durer::tracer::patterns

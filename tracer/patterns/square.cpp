@@ -9,11 +9,8 @@ namespace {
 // Unit squares in the xz plane; four around each corner, all different (textures §6).
 struct Square {
   static constexpr std::array samples{
-      Sample{{0.5, 3, 0.5}, 0},
-      Sample{{0.5, 0, 1.5}, 1},
-      Sample{{1.5, 0, 1.5}, 2},
-      Sample{{1.5, 0, -0.5}, 2},
-      Sample{{-0.5, 0, 0.5}, 3},
+      Sample{{0.5, 3, 0.5}, 0},  Sample{{0.5, 0, 1.5}, 1},  Sample{{1.5, 0, 1.5}, 2},
+      Sample{{1.5, 0, -0.5}, 2}, Sample{{-0.5, 0, 0.5}, 3},
   };
   double operator()(dvec3 p) const {
     const auto odd = [](double x) { return (static_cast<std::int64_t>(std::floor(x)) & 1) != 0; };
@@ -32,6 +29,7 @@ constexpr std::array default_list{
 }  // namespace
 
 extern constinit const PatternType square_pattern =
-    describe_pattern<Square>("square", "Unit squares of four kinds in the xz plane.", {.list_size = 4, .default_map = default_list});
+    describe_pattern<Square>("square", "Unit squares of four kinds in the xz plane.",
+                             {.list_size = 4, .default_map = default_list});
 
 }  // namespace durer::tracer::patterns

@@ -41,17 +41,14 @@ struct Triangular {
 };
 
 constexpr std::array default_list{
-    entry(0, 1, 0, 0),
-    entry(1, 0, 1, 0),
-    entry(2, 0, 0, 1),
-    entry(3, 1, 1, 0),
-    entry(4, 0, 1, 1),
-    entry(5, 1, 0, 1),
+    entry(0, 1, 0, 0), entry(1, 0, 1, 0), entry(2, 0, 0, 1),
+    entry(3, 1, 1, 0), entry(4, 0, 1, 1), entry(5, 1, 0, 1),
 };
 
 }  // namespace
 
 extern constinit const PatternType triangular_pattern =
-    describe_pattern<Triangular>("triangular", "Triangles of six kinds in the xz plane.", {.list_size = 6, .default_map = default_list});
+    describe_pattern<Triangular>("triangular", "Triangles of six kinds in the xz plane.",
+                                 {.list_size = 6, .default_map = default_list});
 
 }  // namespace durer::tracer::patterns

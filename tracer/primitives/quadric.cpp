@@ -9,10 +9,10 @@ namespace {
 // A x² + B y² + C z² + D xy + E xz + F yz + G x + H y + I z + J = 0; inside where the left side is
 // not positive (objects §12.2).
 struct Quadric {
-  dvec3 squares{1.0};      // A B C
-  dvec3 products{0.0};     // D E F
-  dvec3 linear{0.0};       // G H I
-  double constant = -1;    // J
+  dvec3 squares{1.0};    // A B C
+  dvec3 products{0.0};   // D E F
+  dvec3 linear{0.0};     // G H I
+  double constant = -1;  // J
 
   static constexpr std::array params{
       positional<&Quadric::squares>("squares", "factors of x², y², z²"),
@@ -71,13 +71,15 @@ struct Quadric {
   }
   void crossings(const Ray& ray, Crossings& out) const {
     bool inside = begins_inside(ray);
-    for (const double t : quadratic_roots(curvature(ray.d), glm::dot(gradient(ray.o), ray.d), value(ray.o))) {
+    for (const double t :
+         quadratic_roots(curvature(ray.d), glm::dot(gradient(ray.o), ray.d), value(ray.o))) {
       inside = !inside;
       out.push_back({.t = t, .side = inside ? Side::enter : Side::exit});
     }
   }
   [[nodiscard]] std::optional<Nearest> nearest(const Ray& ray, double t_from, double t_to) const {
-    for (const double t : quadratic_roots(curvature(ray.d), glm::dot(gradient(ray.o), ray.d), value(ray.o))) {
+    for (const double t :
+         quadratic_roots(curvature(ray.d), glm::dot(gradient(ray.o), ray.d), value(ray.o))) {
       if (t >= t_from && t < t_to) return Nearest{t, 0};
     }
     return std::nullopt;

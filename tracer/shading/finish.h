@@ -28,7 +28,7 @@ struct Finish {
   vec3 irid_wavelength{1.0F};
   bool fresnel = false;
   bool conserve_energy = false;
-  bool lit = true;         // some term needs lights
+  bool lit = true;          // some term needs lights
   bool highlights = false;  // phong or specular
   bool reflects = false;
 };

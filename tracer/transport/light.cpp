@@ -53,13 +53,12 @@ vec3 Tracer::shade(const View& view, const LayerPoint& layer, const Light& light
 
 // Where nothing is translucent any blocker will do; otherwise the nearest ones are asked in turn,
 // which costs a lit point no more.
-vec3 Tracer::shadowed(const Light& light, const Incidence& in, dvec3 p,
-                      const Containment& inside) {
+vec3 Tracer::shadowed(const Light& light, const Incidence& in, dvec3 p, const Containment& inside) {
   if (light.shadowless || in.distance <= 2 * t_shadow) return in.colour;
   if (translucent_shadows_) return walk_shadow(in, p, inside);
   ++scratch_->rays;
-  const bool blocked = scene_->geometry.occluded({p, in.l}, t_shadow, in.distance - t_shadow,
-                                                 *scratch_->geometry);
+  const bool blocked =
+      scene_->geometry.occluded({p, in.l}, t_shadow, in.distance - t_shadow, *scratch_->geometry);
   return blocked ? vec3(0.0F) : in.colour;
 }
 
@@ -72,9 +71,9 @@ vec3 Tracer::walk_shadow(const Incidence& in, dvec3 p, Containment inside) {
   Hit hit;
   for (;;) {
     ++scratch_->rays;
-    if (left <= 2 * t_shadow || !scene_->geometry.closest(ray, beyond, left - t_shadow,
-                                                          RayKind::shadow, hit,
-                                                          *scratch_->geometry)) {
+    if (left <= 2 * t_shadow ||
+        !scene_->geometry.closest(ray, beyond, left - t_shadow, RayKind::shadow, hit,
+                                  *scratch_->geometry)) {
       return light;
     }
     light *= shadow_factor(hit, in.l, inside);

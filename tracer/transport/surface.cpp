@@ -11,9 +11,7 @@
 namespace durer::tracer {
 namespace {
 
-float greatest_size(vec3 c) {
-  return std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)});
-}
+float greatest_size(vec3 c) { return std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)}); }
 
 bool is_one(double x) { return std::abs(x - 1) < epsilon; }
 
@@ -152,7 +150,9 @@ void Tracer::transmit(const View& view, const LayerSum& layers, Path& path, Step
 
 // White light splits into bands; each goes on as light of one wavelength.
 Radiance Tracer::disperse(const View& view, const Path& path, const Path& next, IndexRatio ratio) {
-  const auto samples_of = [&](std::uint32_t id) { return scene_->interiors[id].dispersion_samples; };
+  const auto samples_of = [&](std::uint32_t id) {
+    return scene_->interiors[id].dispersion_samples;
+  };
   int samples = samples_of(view.interior);
   if (!next.inside.empty()) samples = std::max(samples, samples_of(next.inside.innermost()));
   Radiance sum;

@@ -12,8 +12,8 @@ namespace durer::tracer {
 /// A ray with its history.
 struct Path {
   Ray ray;
-  float weight = 1;       // share of the pixel it can still change
-  int level = 0;          // bends so far
+  float weight = 1;  // share of the pixel it can still change
+  int level = 0;     // bends so far
   bool reflected = false;
   double wavelength = 0;  // nm; 0: white light
   Containment inside;     // bodies that the ray is inside of

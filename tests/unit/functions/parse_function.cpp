@@ -8,29 +8,48 @@
 namespace durer::functions {
 namespace {
 
-const std::map<std::string, Op> one_argument{
-    {"abs", Op::absolute},       {"acos", Op::arccosine},
-    {"acosh", Op::hyperbolic_arccosine}, {"asin", Op::arcsine},
-    {"asinh", Op::hyperbolic_arcsine},   {"atan", Op::arctangent},
-    {"atanh", Op::hyperbolic_arctangent}, {"ceil", Op::ceiling},
-    {"cos", Op::cosine},         {"cosh", Op::hyperbolic_cosine},
-    {"exp", Op::exponential},    {"floor", Op::floor},
-    {"int", Op::truncate},       {"ln", Op::ln},
-    {"log", Op::log10},          {"sin", Op::sine},
-    {"sinh", Op::hyperbolic_sine}, {"sqrt", Op::square_root},
-    {"tan", Op::tangent},        {"tanh", Op::hyperbolic_tangent}};
+const std::map<std::string, Op> one_argument{{"abs", Op::absolute},
+                                             {"acos", Op::arccosine},
+                                             {"acosh", Op::hyperbolic_arccosine},
+                                             {"asin", Op::arcsine},
+                                             {"asinh", Op::hyperbolic_arcsine},
+                                             {"atan", Op::arctangent},
+                                             {"atanh", Op::hyperbolic_arctangent},
+                                             {"ceil", Op::ceiling},
+                                             {"cos", Op::cosine},
+                                             {"cosh", Op::hyperbolic_cosine},
+                                             {"exp", Op::exponential},
+                                             {"floor", Op::floor},
+                                             {"int", Op::truncate},
+                                             {"ln", Op::ln},
+                                             {"log", Op::log10},
+                                             {"sin", Op::sine},
+                                             {"sinh", Op::hyperbolic_sine},
+                                             {"sqrt", Op::square_root},
+                                             {"tan", Op::tangent},
+                                             {"tanh", Op::hyperbolic_tangent}};
 const std::map<std::string, Op> two_arguments{{"atan2", Op::arctangent2}, {"div", Op::quotient},
                                               {"mod", Op::modulo},        {"pow", Op::power},
                                               {"min", Op::minimum},       {"max", Op::maximum}};
-const std::map<std::string, Member> members{
-    {"x", Member::x},         {"y", Member::y},       {"z", Member::z},       {"t", Member::t},
-    {"u", Member::u},         {"v", Member::v},       {"red", Member::red},   {"green", Member::green},
-    {"blue", Member::blue},   {"filter", Member::filter}, {"transmit", Member::transmit},
-    {"gray", Member::gray},   {"grey", Member::gray}, {"hf", Member::hf}};
+const std::map<std::string, Member> members{{"x", Member::x},
+                                            {"y", Member::y},
+                                            {"z", Member::z},
+                                            {"t", Member::t},
+                                            {"u", Member::u},
+                                            {"v", Member::v},
+                                            {"red", Member::red},
+                                            {"green", Member::green},
+                                            {"blue", Member::blue},
+                                            {"filter", Member::filter},
+                                            {"transmit", Member::transmit},
+                                            {"gray", Member::gray},
+                                            {"grey", Member::gray},
+                                            {"hf", Member::hf}};
 
 class Reader {
  public:
-  Reader(const std::string& text, const std::vector<std::string>& parameters, const TestScope& scope)
+  Reader(const std::string& text, const std::vector<std::string>& parameters,
+         const TestScope& scope)
       : text_(text), builder_(static_cast<int>(parameters.size())), scope_(scope) {
     for (std::size_t i = 0; i < parameters.size(); ++i) {
       variables_[parameters[i]] = builder_.parameter(static_cast<int>(i));
@@ -79,29 +98,42 @@ class Reader {
   Value comparison() {
     Value v = sum();
     for (;;) {
-      if (accept("<=")) v = builder_.op(Op::less_equal, v, sum());
-      else if (accept(">=")) v = builder_.op(Op::greater_equal, v, sum());
-      else if (accept("!=")) v = builder_.op(Op::not_equal, v, sum());
-      else if (accept("<")) v = builder_.op(Op::less, v, sum());
-      else if (accept(">")) v = builder_.op(Op::greater, v, sum());
-      else if (accept("=")) v = builder_.op(Op::equal, v, sum());
-      else return v;
+      if (accept("<="))
+        v = builder_.op(Op::less_equal, v, sum());
+      else if (accept(">="))
+        v = builder_.op(Op::greater_equal, v, sum());
+      else if (accept("!="))
+        v = builder_.op(Op::not_equal, v, sum());
+      else if (accept("<"))
+        v = builder_.op(Op::less, v, sum());
+      else if (accept(">"))
+        v = builder_.op(Op::greater, v, sum());
+      else if (accept("="))
+        v = builder_.op(Op::equal, v, sum());
+      else
+        return v;
     }
   }
   Value sum() {
     Value v = product();
     for (;;) {
-      if (accept("+")) v = builder_.op(Op::add, v, product());
-      else if (accept("-")) v = builder_.op(Op::subtract, v, product());
-      else return v;
+      if (accept("+"))
+        v = builder_.op(Op::add, v, product());
+      else if (accept("-"))
+        v = builder_.op(Op::subtract, v, product());
+      else
+        return v;
     }
   }
   Value product() {
     Value v = unary();
     for (;;) {
-      if (accept("*")) v = builder_.op(Op::multiply, v, unary());
-      else if (accept("/")) v = builder_.op(Op::divide, v, unary());
-      else return v;
+      if (accept("*"))
+        v = builder_.op(Op::multiply, v, unary());
+      else if (accept("/"))
+        v = builder_.op(Op::divide, v, unary());
+      else
+        return v;
     }
   }
   Value unary() {

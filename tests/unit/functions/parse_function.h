@@ -15,13 +15,14 @@ struct TestScope {
   std::map<std::string, double> numbers;
 };
 
-/// Compiles `body` (language §6.2) with the parameters named. Throws std::runtime_error on a mistake.
-/// Names of internal functions, such as f_torus, are known.
+/// Compiles `body` (language §6.2) with the parameters named. Throws std::runtime_error on a
+/// mistake. Names of internal functions, such as f_torus, are known.
 [[nodiscard]] Function parse_function(const std::string& body,
                                       const std::vector<std::string>& parameters = {"x", "y", "z"},
                                       const TestScope& scope = {});
 [[nodiscard]] FunctionRef parse_function_ref(const std::string& body,
-                                             const std::vector<std::string>& parameters = {"x", "y", "z"},
+                                             const std::vector<std::string>& parameters = {"x", "y",
+                                                                                           "z"},
                                              const TestScope& scope = {});
 
 }  // namespace durer::functions

@@ -109,7 +109,8 @@ TEST_CASE("internal functions: a batch gives the bits of its points", "[function
   }
 }
 
-TEST_CASE("internal functions: a batch with parameters that vary by lane", "[functions][internals]") {
+TEST_CASE("internal functions: a batch with parameters that vary by lane",
+          "[functions][internals]") {
   const auto rows = oracle_rows();
   for (std::size_t first = 0; first < rows.size(); first += 7) {
     // The sets of one function that follow each other share a batch, lane by lane.
@@ -133,7 +134,8 @@ TEST_CASE("internal functions: a batch with parameters that vary by lane", "[fun
   }
 }
 
-TEST_CASE("internal functions: intervals enclose sampled points", "[functions][internals][interval]") {
+TEST_CASE("internal functions: intervals enclose sampled points",
+          "[functions][internals][interval]") {
   std::mt19937 rng(4);
   std::uniform_real_distribution<double> u(0, 1);
   for (const Row& row : parameter_sets()) {
@@ -169,7 +171,8 @@ TEST_CASE("internal functions: an interval that is a point gives the value",
   }
 }
 
-TEST_CASE("internal functions: gradients agree with differences", "[functions][internals][gradient]") {
+TEST_CASE("internal functions: gradients agree with differences",
+          "[functions][internals][gradient]") {
   std::mt19937 rng(6);
   for (const Row& row : parameter_sets()) {
     int wrong = 0;

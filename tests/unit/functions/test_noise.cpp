@@ -78,7 +78,8 @@ TEST_CASE("turbulence: check values of six octaves", "[functions][noise]") {
                            {-0.308654986813, -0.086675639287, -0.329594954677}};
   for (int i = 0; i < 3; ++i) {
     CHECK(turbulence(check_points[i], {}, 2) == digits12(scalar[i]));
-    for (int k = 0; k < 3; ++k) CHECK(vturbulence(check_points[i], {})[k] == digits12(vector[i][k]));
+    for (int k = 0; k < 3; ++k)
+      CHECK(vturbulence(check_points[i], {})[k] == digits12(vector[i][k]));
   }
 }
 
@@ -118,7 +119,8 @@ TEST_CASE("noise: integers and the places around them are continuous", "[functio
   }
 }
 
-TEST_CASE("noise: every instruction set and the batch form give the same bits", "[functions][noise]") {
+TEST_CASE("noise: every instruction set and the batch form give the same bits",
+          "[functions][noise]") {
   auto points = random_points(5000, 60.0);
   points.push_back({1e10, 0, 0});
   points.push_back({-3e9, 1e300, 0.5});
@@ -196,7 +198,8 @@ TEST_CASE("noise: gradients agree with differences", "[functions][noise][gradien
         dvec3 h{0.0};
         h[k] = 1e-4;  // generator 3 rounds positions to 2e-9
         const double difference = (noise(p + h, g) - noise(p - h, g)) / 2e-4;
-        if (std::abs(d.d[k] - difference) > 1e-4) FAIL("gradient " << d.d[k] << " for " << difference);
+        if (std::abs(d.d[k] - difference) > 1e-4)
+          FAIL("gradient " << d.d[k] << " for " << difference);
       }
     }
   }

@@ -9,8 +9,8 @@ using namespace durer::functions;
 namespace {
 
 Spline checked(SplineKind kind) {
-  const Spline::Entry entries[] = {
-      {4, {9, 9}}, {0, {0, 0}}, {1, {1, 2}}, {2, {4, 1}}, {3, {9, 5}}, {1, {1, 2}}};
+  const Spline::Entry entries[] = {{4, {9, 9}}, {0, {0, 0}}, {1, {1, 2}},
+                                   {2, {4, 1}}, {3, {9, 5}}, {1, {1, 2}}};
   return Spline(kind, 2, std::span(entries).subspan(1));
 }
 
@@ -78,7 +78,8 @@ TEST_CASE("spline: values of the reference program, keys at any distance", "[fun
       {-0.5, {0.3, 0.1}}, {0.2, {1, 2}}, {1.7, {-4, 1}}, {2.1, {2, 5}}, {4, {3, -1}}};
   const Spline s(SplineKind::natural, 3, entries);
   const double t[] = {-1, 0, 0.5, 1, 1.9, 2.5, 3, 3.9};
-  const double x[][4] = {  // linear, quadratic, cubic, natural
+  const double x[][4] = {
+      // linear, quadratic, cubic, natural
       {0.3, 0.3, 1, 0.3},
       {0.8, 0.996969696969697, 1, 1.3472489569150483},
       {0, 0.7090909090909090, -0.0239999999999997, -0.7286632323771558},

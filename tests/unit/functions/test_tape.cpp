@@ -45,7 +45,8 @@ std::string printed(double v) {
 /// Equal digits; the reference program stops after 80 or so.
 bool same_text(const std::string& got, const std::string& expected) {
   const bool nan = expected.find("nan") != std::string::npos;
-  return nan ? got.find("nan") != std::string::npos : got.compare(0, expected.size(), expected) == 0;
+  return nan ? got.find("nan") != std::string::npos
+             : got.compare(0, expected.size(), expected) == 0;
 }
 /// Where pow() is called inside a later argument, the reference program rounds differently.
 bool may_differ_in_the_last_bits(const std::string& body) {
@@ -127,7 +128,9 @@ TEST_CASE("tape: intervals enclose sampled points", "[functions][tape][interval]
       for (int k = 0; k < 12; ++k) {
         std::array<double, 3> p{};
         for (int i = 0; i < 3; ++i) {
-          p[i] = k == 0 ? box[i].lo : k == 1 ? box[i].hi : box[i].lo + u(rng) * (box[i].hi - box[i].lo);
+          p[i] = k == 0   ? box[i].lo
+                 : k == 1 ? box[i].hi
+                          : box[i].lo + u(rng) * (box[i].hi - box[i].lo);
         }
         const double v = evaluate(f, p, w);
         if (!r.contains(v)) {
@@ -178,8 +181,22 @@ TEST_CASE("tape: gradients agree with differences", "[functions][tape][gradient]
 TEST_CASE("operations: every row on nasty inputs", "[functions][ops]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double inf = std::numeric_limits<double>::infinity();
-  const double nasty[] = {0.0, -0.0, 1, -1, 0.5, -2, 3, 1e-300, -1e-300, 1e300, 2147483648.0,
-                          std::numbers::pi, -std::numbers::pi / 2, inf, -inf, nan};
+  const double nasty[] = {0.0,
+                          -0.0,
+                          1,
+                          -1,
+                          0.5,
+                          -2,
+                          3,
+                          1e-300,
+                          -1e-300,
+                          1e300,
+                          2147483648.0,
+                          std::numbers::pi,
+                          -std::numbers::pi / 2,
+                          inf,
+                          -inf,
+                          nan};
   Workspace w;
   for (std::size_t op = 0; op < plain_op_count; ++op) {
     const int arity = op_table[op].arity;
@@ -203,7 +220,8 @@ TEST_CASE("operations: every row on nasty inputs", "[functions][ops]") {
         CHECK(evaluate_interval(f, points, w).contains(v));
         if (!std::isnan(x) && !std::isnan(y)) {
           const std::array<Interval, 4> boxes{Interval(std::min(x, 0.0), std::max(x, 1.0)),
-                                              Interval(std::min(y, -1.0), std::max(y, 0.0)), 2.0, 3.0};
+                                              Interval(std::min(y, -1.0), std::max(y, 0.0)), 2.0,
+                                              3.0};
           const Interval r = evaluate_interval(f, boxes, w);
           CAPTURE(r.lo, r.hi, r.nan);
           CHECK(r.contains(v));
@@ -216,11 +234,15 @@ TEST_CASE("operations: every row on nasty inputs", "[functions][ops]") {
 TEST_CASE("tape: what is not a number", "[functions][tape]") {
   // x = -1, so sqrt(x) is not a number; results as the reference program gives them.
   const std::pair<const char*, double> table[] = {
-      {"sqrt(x)<1", 0},        {"sqrt(x)<=1", 0},       {"sqrt(x)>1", 1},  {"sqrt(x)>=1", 1},
-      {"1<sqrt(x)", 0},        {"1>sqrt(x)", 1},        {"sqrt(x)=1", 0},  {"sqrt(x)!=1", 1},
-      {"sqrt(x)&1", 1},        {"sqrt(x)|0", 1},        {"min(sqrt(x),2)", 2},
-      {"max(2,sqrt(x))", 2},   {"select(sqrt(x),1,2)", 2}, {"select(sqrt(x),1,2,3)", 3},
-      {"sum(i,sqrt(x),3,i)", 0}, {"atan2(0,x+1)", 0},   {"pow(x+1,y)", 1}, {"int(sqrt(x))", -2147483648.0}};
+      {"sqrt(x)<1", 0},           {"sqrt(x)<=1", 0},
+      {"sqrt(x)>1", 1},           {"sqrt(x)>=1", 1},
+      {"1<sqrt(x)", 0},           {"1>sqrt(x)", 1},
+      {"sqrt(x)=1", 0},           {"sqrt(x)!=1", 1},
+      {"sqrt(x)&1", 1},           {"sqrt(x)|0", 1},
+      {"min(sqrt(x),2)", 2},      {"max(2,sqrt(x))", 2},
+      {"select(sqrt(x),1,2)", 2}, {"select(sqrt(x),1,2,3)", 3},
+      {"sum(i,sqrt(x),3,i)", 0},  {"atan2(0,x+1)", 0},
+      {"pow(x+1,y)", 1},          {"int(sqrt(x))", -2147483648.0}};
   for (const auto& [body, expected] : table) {
     CAPTURE(body);
     CHECK(value(body, -1) == expected);
@@ -284,8 +306,7 @@ TEST_CASE("calls: a deep chain is refused, a wide one is shared", "[functions][b
     const Value x = b.parameter(0);
     const Value a = b.call(f, {&x, 1})[0];
     const Value c = b.call(f, {&x, 1})[0];
-    f = std::make_shared<const Function>(
-        b.finish(b.op(Op::subtract, a, b.op(Op::sine, c))));
+    f = std::make_shared<const Function>(b.finish(b.op(Op::subtract, a, b.op(Op::sine, c))));
     problem = b.take_problem();
     CHECK(f->callees.size() == 1);  // never copied out
   }
@@ -301,10 +322,10 @@ TEST_CASE("externals: components, members, batches without a batch form", "[func
   };
   TestScope scope;
   scope.functions["p"] = std::make_shared<const Function>(make_external_function(pigment));
-  const Function f = parse_function("p(x,y,z).green+10*p(x,y,z).gray+100*p(x,y,z).hf", {"x", "y", "z"}, scope);
-  CHECK(std::count_if(f.code.begin(), f.code.end(), [](const Instruction& in) {
-          return in.op == Op::external;
-        }) == 1);
+  const Function f =
+      parse_function("p(x,y,z).green+10*p(x,y,z).gray+100*p(x,y,z).hf", {"x", "y", "z"}, scope);
+  CHECK(std::count_if(f.code.begin(), f.code.end(),
+                      [](const Instruction& in) { return in.op == Op::external; }) == 1);
   Workspace w;
   const std::array a{0.5, 2.0, 0.25};
   const double red = 0.5;

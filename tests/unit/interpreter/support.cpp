@@ -16,8 +16,7 @@ constexpr std::array box_params = {Param{"a", ArgKind::vector, "first corner"},
                                    Param{"b", ArgKind::vector, "second corner"}};
 constexpr std::array cylinder_params = {
     Param{"a", ArgKind::vector, "base"}, Param{"b", ArgKind::vector, "cap"},
-    Param{"r", ArgKind::number, "radius"},
-    Param{"open", ArgKind::flag, "without caps", false}};
+    Param{"r", ArgKind::number, "radius"}, Param{"open", ArgKind::flag, "without caps", false}};
 std::optional<std::string> check_cylinder(std::span<const double> a) {
   if (a[0] == a[3] && a[1] == a[4] && a[2] == a[5]) return "the ends of this cylinder coincide";
   return std::nullopt;
@@ -32,7 +31,8 @@ constexpr std::array<scene::MapEntry, 2> checker_map = {
     scene::MapEntry{0, {glm::vec3(0, 0, 1), 0, 0}}, scene::MapEntry{1, {glm::vec3(0, 1, 0), 0, 0}}};
 constexpr std::array<scene::MapEntry, 2> grey_map = {
     scene::MapEntry{0, {glm::vec3(0, 0, 0), 0, 0}}, scene::MapEntry{1, {glm::vec3(1, 1, 1), 0, 0}}};
-constexpr scene::PatternInfo checker = {{"checker", "Cubes.", {}}, scene::Wave::ramp, 2, checker_map};
+constexpr scene::PatternInfo checker = {
+    {"checker", "Cubes.", {}}, scene::Wave::ramp, 2, checker_map};
 constexpr scene::PatternInfo gradient = {
     {"gradient", "Bands.", gradient_params}, scene::Wave::ramp, 0, grey_map};
 constexpr std::array<const scene::PatternInfo*, 2> patterns = {&checker, &gradient};
@@ -51,7 +51,8 @@ Run run(const std::string& text, bool header, Options options) {
   for (const Diagnostic& d : diagnostics.all()) {
     const Place p = sources.place(d.span.begin);
     const std::uint32_t line = header && p.line > 0 ? p.line - 1 : p.line;
-    const std::string s = fmt::format("{} at {}:{}: {}", code_text(d.code), line, p.column, d.message);
+    const std::string s =
+        fmt::format("{} at {}:{}: {}", code_text(d.code), line, p.column, d.message);
     (d.severity == Severity::error ? r.errors : r.warnings).push_back(s);
   }
   return r;
@@ -66,7 +67,8 @@ std::string value_of(const std::string& expression, const std::string& before, i
   return text_of(fmt::format("str({}, 0, {})", expression, decimals), before);
 }
 
-std::string vector_of(const std::string& expression, int n, const std::string& before, int decimals) {
+std::string vector_of(const std::string& expression, int n, const std::string& before,
+                      int decimals) {
   // Through a variable, as a place that takes any length.
   return text_of(fmt::format("vstr({}, V_, \" \", 0, {})", n, decimals),
                  before + "\n#declare V_ = " + expression + ";");

@@ -13,9 +13,9 @@
 namespace durer::interpreter::test {
 
 struct Run {
-  std::string debug;                    // what #debug printed
-  std::optional<scene::Scene> scene;    // empty after an error
-  std::vector<std::string> errors;      // "D0203 at 2:8: `A` is not declared"
+  std::string debug;                  // what #debug printed
+  std::optional<scene::Scene> scene;  // empty after an error
+  std::vector<std::string> errors;    // "D0203 at 2:8: `A` is not declared"
   std::vector<std::string> warnings;
 };
 
@@ -25,7 +25,8 @@ Run run(const std::string& text, bool header = true, Options options = {});
 /// What `#debug` prints for a string expression.
 std::string text_of(const std::string& expression, const std::string& before = {});
 /// What `str(expression, 0, decimals)` gives.
-std::string value_of(const std::string& expression, const std::string& before = {}, int decimals = 6);
+std::string value_of(const std::string& expression, const std::string& before = {},
+                     int decimals = 6);
 /// The same for `n` components of a vector, separated by blanks.
 std::string vector_of(const std::string& expression, int n = 3, const std::string& before = {},
                       int decimals = 4);

@@ -64,7 +64,8 @@ TEST_CASE("expressions: colours", "[interpreter][expressions]") {
   CHECK(vector_of("rgb <1,2,3,4>", 5, "", 0) == "1 2 3 4 0");
   CHECK(vector_of("srgb .5", 5, "", 3) == "0.214 0.214 0.214 0.000 0.000");
   CHECK(vector_of("rgb 1 transmit .4", 5, "", 1) == "1.0 1.0 1.0 0.0 0.4");
-  CHECK(vector_of("color C filter .2", 5, "#declare C = rgb <1,.5,0>;", 1) == "1.0 0.5 0.0 0.2 0.0");
+  CHECK(vector_of("color C filter .2", 5, "#declare C = rgb <1,.5,0>;", 1) ==
+        "1.0 0.5 0.0 0.2 0.0");
   CHECK(vector_of("C*.5", 5, "#declare C = rgbf <1,.5,0,.5>;", 2) == "0.50 0.25 0.00 0.25 0.00");
   CHECK(vector_of("red 1 green .5", 5, "", 1) == "1.0 0.5 0.0 0.0 0.0");
   // Colour variables are single precision.
@@ -115,11 +116,13 @@ TEST_CASE("expressions: strings", "[interpreter][builtins]") {
 
 TEST_CASE("expressions: random streams are bit-equal to the oracle's", "[interpreter][rand]") {
   const std::string zero = "#declare S = seed(0);";
-  CHECK(vector_of("<rand(S),rand(S),rand(S)>", 3, zero, 9) == "0.000002874 0.466563685 0.249070229");
+  CHECK(vector_of("<rand(S),rand(S),rand(S)>", 3, zero, 9) ==
+        "0.000002874 0.466563685 0.249070229");
   CHECK(value_of("rand(seed(-5))", "", 15) == "0.890052870123194");
   CHECK(value_of("rand(seed(3))", "", 15) == "0.265972876983223");
   // Both branches of ?: draw.
-  CHECK(value_of("R", "#declare S=seed(0); #declare Q=(1 ? rand(S) : rand(S)); #declare R=rand(S);", 6) == "0.249070");
+  CHECK(value_of("R", "#declare S=seed(0); #declare Q=(1 ? rand(S) : rand(S)); #declare R=rand(S);",
+                 6) == "0.249070");
 }
 
 TEST_CASE("expressions: what has no value is an error", "[interpreter][expressions]") {

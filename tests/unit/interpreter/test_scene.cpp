@@ -15,7 +15,8 @@ const scene::Layer& top_layer(const Run& r, std::size_t i = 0) {
 }  // namespace
 
 TEST_CASE("scene: operands with and without commas", "[interpreter][objects]") {
-  for (const char* text : {"sphere { <1,2,3>, 4 }", "sphere { <1,2,3> 4 }", "sphere { <1 2 3> 4 }"}) {
+  for (const char* text :
+       {"sphere { <1,2,3>, 4 }", "sphere { <1,2,3> 4 }", "sphere { <1 2 3> 4 }"}) {
     const Run r = run(text);
     REQUIRE(r.scene);
     CHECK(root(r).args == std::vector<double>{1, 2, 3, 4});
@@ -27,8 +28,9 @@ TEST_CASE("scene: operands with and without commas", "[interpreter][objects]") {
 }
 
 TEST_CASE("scene: a copy takes its own transforms and textures", "[interpreter][objects]") {
-  const Run r = run("#declare S = sphere { 0, 1 pigment { rgb 1 } translate x }\n"
-                    "object { S translate y }\nobject { S texture { pigment { rgbt .5 } } }");
+  const Run r =
+      run("#declare S = sphere { 0, 1 pigment { rgb 1 } translate x }\n"
+          "object { S translate y }\nobject { S texture { pigment { rgbt .5 } } }");
   REQUIRE(r.scene);
   CHECK(root(r, 0).transform->forward.t == dvec3(1, 1, 0));
   CHECK(root(r, 0).texture.transform->forward.t == dvec3(1, 1, 0));
@@ -48,7 +50,9 @@ TEST_CASE("scene: pigments, lists and maps", "[interpreter][textures]") {
   CHECK(top_layer(r).pigment.entries[0].colour.rgb == glm::vec3(1));
   CHECK(top_layer(r).pigment.entries[1].colour.rgb == glm::vec3(0, 1, 0));
   CHECK(top_layer(r).pigment.frequency == 0);
-  r = run("sphere { 0, 1 pigment { gradient y color_map { [0, .5 color rgb 0 color rgb 1] [.5 rgb x filter .2] } frequency 2 sine_wave } }");
+  r =
+      run("sphere { 0, 1 pigment { gradient y color_map { [0, .5 color rgb 0 color rgb 1] [.5 rgb "
+          "x filter .2] } frequency 2 sine_wave } }");
   REQUIRE(r.scene);
   const auto& p = top_layer(r).pigment;
   REQUIRE(p.entries.size() == 3);
@@ -59,7 +63,9 @@ TEST_CASE("scene: pigments, lists and maps", "[interpreter][textures]") {
 }
 
 TEST_CASE("scene: finishes", "[interpreter][textures]") {
-  const Run r = run("#declare F = finish { phong .5 }\nsphere { 0, 1 finish { F diffuse .7, .2 reflection { .1, .9 fresnel } metallic } }");
+  const Run r =
+      run("#declare F = finish { phong .5 }\nsphere { 0, 1 finish { F diffuse .7, .2 reflection { "
+          ".1, .9 fresnel } metallic } }");
   REQUIRE(r.scene);
   const auto& f = top_layer(r).finish;
   CHECK(f.phong == 0.5F);
@@ -72,7 +78,9 @@ TEST_CASE("scene: finishes", "[interpreter][textures]") {
 }
 
 TEST_CASE("scene: #default acts from there on", "[interpreter][textures]") {
-  const Run r = run("#default { finish { ambient 1 } pigment { rgb x } }\nsphere { 0, 1 }\nsphere { 0, 1 finish { phong 1 } }");
+  const Run r =
+      run("#default { finish { ambient 1 } pigment { rgb x } }\nsphere { 0, 1 }\nsphere { 0, 1 "
+          "finish { phong 1 } }");
   REQUIRE(r.scene);
   CHECK(r.scene->textures[r.scene->roots[0].default_texture].layers[0].finish.ambient.x == 1);
   CHECK(top_layer(r, 1).finish.ambient.x == 1);
@@ -80,7 +88,9 @@ TEST_CASE("scene: #default acts from there on", "[interpreter][textures]") {
 }
 
 TEST_CASE("scene: lights and their transforms", "[interpreter][lights]") {
-  const Run r = run("light_source { <1,2,3> rgb .5 spotlight radius 10 falloff 20 tightness 2 point_at y fade_distance 4 fade_power 2 shadowless translate z }");
+  const Run r =
+      run("light_source { <1,2,3> rgb .5 spotlight radius 10 falloff 20 tightness 2 point_at y "
+          "fade_distance 4 fade_power 2 shadowless translate z }");
   REQUIRE(r.scene);
   const auto& l = r.scene->lights.at(0);
   CHECK(l.position == dvec3(1, 2, 3));
@@ -102,8 +112,10 @@ TEST_CASE("scene: camera vectors after angle and look_at", "[interpreter][camera
 }
 
 TEST_CASE("scene: what is not supported fails only when it is used", "[interpreter][unsupported]") {
-  const Run declared = run("#declare O = isosurface { function { x } contained_by { sphere { 0, 1 } } }\n"
-                           "#declare P = pigment { bozo turbulence 1 color_map { [0 rgb 1] [1 rgb 0] } }\nsphere { 0, 1 }");
+  const Run declared =
+      run("#declare O = isosurface { function { x } contained_by { sphere { 0, 1 } } }\n"
+          "#declare P = pigment { bozo turbulence 1 color_map { [0 rgb 1] [1 rgb 0] } }\nsphere { "
+          "0, 1 }");
   CHECK(declared.scene);
   const Run used = run("sphere { 0, 1 pigment { bozo turbulence 1 } }");
   REQUIRE(used.scene);  // the tracer reports it, with its origin
@@ -112,9 +124,11 @@ TEST_CASE("scene: what is not supported fails only when it is used", "[interpret
 }
 
 TEST_CASE("scene: messages name the block and the place", "[interpreter][diagnostics]") {
-  CHECK(error_of("sphere { 0, 1 finish { difuse 1 } }") == "D0214 at 1:24: `finish` has no setting `difuse`");
+  CHECK(error_of("sphere { 0, 1 finish { difuse 1 } }") ==
+        "D0214 at 1:24: `finish` has no setting `difuse`");
   CHECK(error_of("camera { locaton 5 }") == "D0214 at 1:10: `camera` has no setting `locaton`");
-  CHECK(error_of("sphere { 0, 1 pigment { chekcer } }") == "D0214 at 1:25: `pigment` has no setting `chekcer`");
+  CHECK(error_of("sphere { 0, 1 pigment { chekcer } }") ==
+        "D0214 at 1:25: `pigment` has no setting `chekcer`");
   CHECK(error_of("sphere { 0, 1 radius }") == "D0214 at 1:15: `sphere` takes no `radius` here");
   CHECK(error_of("sphere { 0, 1").substr(0, 5) == "D0102");
 }

@@ -22,15 +22,18 @@ TEST_CASE("splicing: branches that open different blocks", "[interpreter][splici
 }
 
 TEST_CASE("splicing: a wrapper opened and closed by two conditionals", "[interpreter][splicing]") {
-  const Run r = run("#declare C=1;\n#declare O = #if (C) union { #end sphere {0,1} #if (C) sphere {x,1} } #end\n"
-                    "object { O translate y }");
+  const Run r = run(
+      "#declare C=1;\n#declare O = #if (C) union { #end sphere {0,1} #if (C) sphere {x,1} } #end\n"
+      "object { O translate y }");
   REQUIRE(r.scene);
   CHECK(root(r).kind == scene::NodeKind::union_);
 }
 
 TEST_CASE("splicing: nested heads on the right of a declare", "[interpreter][splicing]") {
-  const Run r = run("#local F=1; #local M=0;\n#local Part = #if (F) #if (M) merge { #else union { #end #end sphere {0,1} #if (F) box {0,1} } #end\n"
-                    "object { Part }");
+  const Run r =
+      run("#local F=1; #local M=0;\n#local Part = #if (F) #if (M) merge { #else union { #end #end "
+          "sphere {0,1} #if (F) box {0,1} } #end\n"
+          "object { Part }");
   REQUIRE(r.scene);
   CHECK(root(r).kind == scene::NodeKind::union_);
   CHECK(root(r).children.size() == 2);
@@ -44,8 +47,10 @@ TEST_CASE("splicing: a macro opens a block that its caller closes", "[interprete
 }
 
 TEST_CASE("splicing: directives between operands", "[interpreter][splicing]") {
-  const Run r = run("#declare C=1;\nsphere { 0, 1 #if (C) +1 #end }\nsphere { <1, #if (C) 2 #else 7 #end, 3>, 1 }\n"
-                    "sphere { 0, (1 #if (C) +2 #end) }\nsphere { 0 #declare K=4; , K }");
+  const Run r =
+      run("#declare C=1;\nsphere { 0, 1 #if (C) +1 #end }\nsphere { <1, #if (C) 2 #else 7 #end, "
+          "3>, 1 }\n"
+          "sphere { 0, (1 #if (C) +2 #end) }\nsphere { 0 #declare K=4; , K }");
   REQUIRE(r.scene);
   CHECK(root(r, 0).args[3] == 2);
   CHECK(root(r, 1).args[1] == 2);
@@ -61,8 +66,9 @@ TEST_CASE("splicing: values made by conditionals", "[interpreter][splicing]") {
 }
 
 TEST_CASE("splicing: macros of modifiers and of map entries", "[interpreter][splicing]") {
-  const Run r = run("#macro Move() translate x rotate 90*y #end\n#macro Entry(k) [k rgb k] #end\n"
-                    "sphere { 0, 1 Move() pigment { gradient x color_map { Entry(0) Entry(.5) Entry(1) } } }");
+  const Run r = run(
+      "#macro Move() translate x rotate 90*y #end\n#macro Entry(k) [k rgb k] #end\n"
+      "sphere { 0, 1 Move() pigment { gradient x color_map { Entry(0) Entry(.5) Entry(1) } } }");
   REQUIRE(r.scene);
   const auto& texture = r.scene->textures[root(r).texture.texture];
   CHECK(texture.layers.back().pigment.entries.size() == 3);

@@ -25,7 +25,9 @@ Picture rendered(const AntialiasOptions& options, const Block& block, const Func
         ++picture.samples;
         return f(x, y);
       },
-      [&](int x, int y, const Pixel& p) { picture.pixels[{x, y}] = p; });
+      [&](int x, int y, const Pixel& p) {
+        picture.pixels[{x, y}] = p;
+      });
   return picture;
 }
 

@@ -25,7 +25,8 @@ scene::Finish diffuse(float k) {
 TEST_CASE("finish: each term gives the oracle's value", "[tracer][finish]") {
   const auto row = GENERATE(values<Row>({
       {"diffuse", [](scene::Finish& f) { f.diffuse = 0.6F; }, {0.339406F, 0.169711F, 0.084855F}},
-      {"brilliance", [](scene::Finish& f) { f.diffuse = 0.6F, f.brilliance = 2.5F; },
+      {"brilliance",
+       [](scene::Finish& f) { f.diffuse = 0.6F, f.brilliance = 2.5F; },
        {0.201816F, 0.100908F, 0.050446F}},
       {"default", [](scene::Finish& f) { f = {}; }, {0.419409F, 0.209705F, 0.104860F}},
       {"phong", [](scene::Finish& f) { f.phong = 0.7F, f.phong_size = 5; }, vec3(0.123751F)},
@@ -34,7 +35,10 @@ TEST_CASE("finish: each term gives the oracle's value", "[tracer][finish]") {
       {"metallic specular",
        [](scene::Finish& f) { f.specular = 0.7F, f.roughness = 0.1F, f.metallic = 0.6F; },
        {0.280079F, 0.205966F, 0.168917F}},
-      {"emission", [](scene::Finish& f) { f.emission = {0.3F, 0.2F, 0.1F}; },
+      {"emission",
+       [](scene::Finish& f) {
+         f.emission = {0.3F, 0.2F, 0.1F};
+       },
        {0.239994F, 0.080003F, 0.020005F}},
       {"irid",
        [](scene::Finish& f) { f.diffuse = 0.6F, f.irid = 0.35F, f.irid_thickness = 0.5F; },
@@ -80,7 +84,8 @@ TEST_CASE("finish: a lamp behind lights the back only where asked to", "[tracer]
   Wall s;
   s.scene.lights[0].position = {-30, 40, 50};
   scene::Finish f = diffuse(0.6F);
-  scene::Object& disc = s.add("disc", {0, 0, 0, 0, 0, -1, 5, 0}, s.texture(plain(rgbft(1, 1, 1)), f));
+  scene::Object& disc =
+      s.add("disc", {0, 0, 0, 0, 0, -1, 5, 0}, s.texture(plain(rgbft(1, 1, 1)), f));
   SECTION("plain") { check_pixel(s.scene, vec3(0.0F)); }
   SECTION("diffuse back") {
     s.scene.textures[0].layers[0].finish.diffuse_back = 0.3F;

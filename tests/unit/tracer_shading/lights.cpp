@@ -15,9 +15,9 @@ struct White : Wall {
   scene::Light& lamp() { return scene.lights[0]; }
   // A body half-way to the lamp.
   scene::Object& blocker(std::string_view type, const Colour& c, const scene::Interior& i = {}) {
-    const std::vector<double> args =
-        type == "sphere" ? std::vector<double>{-15, 20, -25, 1}
-                         : std::vector<double>{-15, 20, -25, 0, 0, 1, 1, 0};
+    const std::vector<double> args = type == "sphere"
+                                         ? std::vector<double>{-15, 20, -25, 1}
+                                         : std::vector<double>{-15, 20, -25, 0, 0, 1, 1, 0};
     return add(type, args, texture(plain(c), dull()), interior(i));
   }
 };

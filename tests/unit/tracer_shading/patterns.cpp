@@ -39,15 +39,17 @@ TEST_CASE("patterns: samples hold", "[tracer][patterns]") {
 }
 
 TEST_CASE("patterns: values are finite on nasty points", "[tracer][patterns]") {
-  const std::vector<double> nasty{0.0, -0.0, 1.0, -1.0, 1e-300, 3.141592653589793, -7.5, 1e17, -1e17};
+  const std::vector<double> nasty{0.0,  -0.0, 1.0,  -1.0, 1e-300, 3.141592653589793,
+                                  -7.5, 1e17, -1e17};
   for (const PatternType* type : pattern_types()) {
     CAPTURE(type->name);
     for (const double x : nasty) {
       for (const double y : nasty) {
         for (const double z : nasty) {
           const double v = value_of(*type, default_args(*type), {x, y, z});
-          const bool good = std::isfinite(v) && (type->list_size == 0 ||
-                                                 (v >= 0 && v < type->list_size && v == std::floor(v)));
+          const bool good =
+              std::isfinite(v) &&
+              (type->list_size == 0 || (v >= 0 && v < type->list_size && v == std::floor(v)));
           if (!good) {
             CAPTURE(x, y, z, v);
             CHECK(good);
@@ -101,7 +103,8 @@ TEST_CASE("patterns: values are the oracle's on a cloud of points", "[tracer][pa
     if (pigment.args.empty()) pigment.args = default_args(*pattern_types()[pigment.pattern]);
     pigment.frequency = info.list_size > 0 ? 0 : 1;
     pigment.wave = info.wave;
-    pigment.entries = {{0, test::rgbft(0, 0, 0), scene::none}, {8, test::rgbft(8, 0, 0), scene::none}};
+    pigment.entries = {{0, test::rgbft(0, 0, 0), scene::none},
+                       {8, test::rgbft(8, 0, 0), scene::none}};
     PigmentStore store;
     const float value = store.at(store.add(pigment, {}), row.p).rgb.x;
     if (std::abs(value - row.value) > 2e-7 * std::max(1.0, row.value)) {

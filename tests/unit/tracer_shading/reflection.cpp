@@ -23,24 +23,33 @@ scene::Finish mirror(float amount) {
 
 TEST_CASE("reflection: each form gives the oracle's value", "[tracer][reflection]") {
   const auto row = GENERATE(values<Row>({
-      {"constant", [](scene::Finish& f) { f = mirror(0.3F); }, 1,
+      {"constant",
+       [](scene::Finish& f) { f = mirror(0.3F); },
+       1,
        {0.149996F, 0.074998F, 0.239994F}},
       {"falloff",
        [](scene::Finish& f) {
          f.reflection_min = vec3(0.1F), f.reflection_max = vec3(0.9F), f.reflection_falloff = 2;
        },
-       1, {0.084321F, 0.042161F, 0.134905F}},
-      {"exponent", [](scene::Finish& f) { f = mirror(0.5F), f.reflection_exponent = 2; }, 1,
+       1,
+       {0.084321F, 0.042161F, 0.134905F}},
+      {"exponent",
+       [](scene::Finish& f) { f = mirror(0.5F), f.reflection_exponent = 2; },
+       1,
        {0.353552F, 0.250004F, 0.447211F}},
-      {"metallic", [](scene::Finish& f) { f = mirror(0.5F), f.reflection_metallic = 0.8F; }, 1,
+      {"metallic",
+       [](scene::Finish& f) { f = mirror(0.5F), f.reflection_metallic = 0.8F; },
+       1,
        {0.230518F, 0.086046F, 0.181888F}},
       {"fresnel between two colours",
        [](scene::Finish& f) {
          f.reflection_min = vec3(0.1F), f.reflection_max = vec3(0.9F), f.fresnel = true;
        },
-       1.5F, {0.070100F, 0.035050F, 0.112154F}},
+       1.5F,
+       {0.070100F, 0.035050F, 0.112154F}},
       {"fresnel from nothing",
-       [](scene::Finish& f) { f.reflection_max = vec3(0.9F), f.fresnel = true; }, 1.5F,
+       [](scene::Finish& f) { f.reflection_max = vec3(0.9F), f.fresnel = true; },
+       1.5F,
        {0.022614F, 0.011307F, 0.036179F}},
   }));
   CAPTURE(row.name);

@@ -99,8 +99,7 @@ TEST_CASE("refraction: eight bends need nine levels", "[tracer][refraction]") {
   for (int k = 0; k < 4; ++k) {
     s.add("box", {-50, -2.0 * k - 1, -50, 50, -2.0 * k, 50}, clear, s.interior(i));
   }
-  check_pixel(s.scene,
-              s.scene.settings.max_trace_level == 8 ? vec3(0.0F) : s.scene.background.rgb);
+  check_pixel(s.scene, s.scene.settings.max_trace_level == 8 ? vec3(0.0F) : s.scene.background.rgb);
 }
 
 TEST_CASE("refraction: finish words speak for the interior", "[tracer][refraction]") {

@@ -57,7 +57,8 @@ TEST_CASE("unsupported: what is only declared does no harm", "[tracer][compile]"
   CHECK(try_compile(s.scene).compiled);
 }
 
-TEST_CASE("unsupported: finishes, layers, textures and interiors are looked at", "[tracer][compile]") {
+TEST_CASE("unsupported: finishes, layers, textures and interiors are looked at",
+          "[tracer][compile]") {
   Wall s;
   scene::Finish f;
   scene::Interior i;
