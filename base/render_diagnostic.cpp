@@ -77,7 +77,8 @@ struct Line {
 };
 using Lines = std::map<std::uint32_t, Line>;
 
-void add_mark(Lines& lines, const SourceMap& sources, Span span, std::string_view words, bool main) {
+void add_mark(Lines& lines, const SourceMap& sources, Span span, std::string_view words,
+              bool main) {
   const Place place = sources.place(span.begin);
   Line& line = lines[place.line];
   line.text = sources.line_at(span.begin);
@@ -92,7 +93,8 @@ void add_mark(Lines& lines, const SourceMap& sources, Span span, std::string_vie
 // Underlines of one line. Words stand behind the last underline, the others on lines of their own
 // below, from right to left, so that no text crosses a mark.
 std::string underlines(std::vector<Mark> marks, const std::string& gutter, const Palette& paint) {
-  std::sort(marks.begin(), marks.end(), [](const Mark& a, const Mark& b) { return a.begin < b.begin; });
+  std::sort(marks.begin(), marks.end(),
+            [](const Mark& a, const Mark& b) { return a.begin < b.begin; });
   std::string out = gutter;
   std::size_t column = 0;
   for (const Mark& mark : marks) {

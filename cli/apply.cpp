@@ -63,10 +63,9 @@ Problem library_path(Settings& s, std::string_view value) {
 Problem declare(Settings& s, std::string_view value) {
   const std::size_t equals = value.find('=');
   const std::string_view name = trim(value.substr(0, equals));
-  const bool is_name =
-      !name.empty() && std::ranges::all_of(name, [](unsigned char c) {
-        return std::isalnum(c) != 0 || c == '_';
-      }) && std::isdigit(static_cast<unsigned char>(name.front())) == 0;
+  const bool is_name = !name.empty() && std::ranges::all_of(name, [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_';
+  }) && std::isdigit(static_cast<unsigned char>(name.front())) == 0;
   if (!is_name || equals == std::string_view::npos) return expected("name=value", value);
   const std::string_view raw = trim(value.substr(equals + 1));
   if (const auto x = parse_number(raw)) {
@@ -88,7 +87,8 @@ Problem clock(Settings& s, std::string_view value) {
 Problem version(Settings& s, std::string_view value) {
   const auto v = parse_number(value);
   if (!v || *v < 1) return expected("a version such as 3.7", value);
-  if (*v > 3.7 + 1e-9) return fmt::format("language version {} is not known, 3.7 is the last", value);
+  if (*v > 3.7 + 1e-9)
+    return fmt::format("language version {} is not known, 3.7 is the last", value);
   s.version = static_cast<int>(std::lround(*v * 100));
   return {};
 }

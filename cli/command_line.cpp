@@ -1,7 +1,7 @@
 #include "cli/command_line.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "base/suggest.h"
 #include "cli/values.h"
@@ -82,9 +82,9 @@ void unknown_option(const std::string& word, Reader& reader) {
   }
   const std::vector<std::string_view> views(names.begin(), names.end());
   const auto near = closest(name, views);
-  reader.error(fmt::format("there is no option `{}`", name), {word, {}},
-               near ? fmt::format("did you mean `{}`?", *near)
-                    : "`durer --help` lists the options");
+  reader.error(
+      fmt::format("there is no option `{}`", name), {word, {}},
+      near ? fmt::format("did you mean `{}`?", *near) : "`durer --help` lists the options");
 }
 
 }  // namespace

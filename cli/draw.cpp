@@ -39,9 +39,12 @@ std::string base64(std::span<const unsigned char> bytes) {
 
 /// One of 216 colours: 6 levels per channel, between two levels by a 4×4 Bayer pattern.
 int palette_index(const Rgb& c, int x, int y) {
-  static constexpr std::array<int, 16> bayer = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
+  static constexpr std::array<int, 16> bayer = {0, 8,  2, 10, 12, 4, 14, 6,
+                                                3, 11, 1, 9,  15, 7, 13, 5};
   const int threshold = bayer[(y % 4) * 4 + x % 4] * 51 / 16;
-  const auto level = [&](unsigned v) { return std::min(5, (static_cast<int>(v) + threshold) / 51); };
+  const auto level = [&](unsigned v) {
+    return std::min(5, (static_cast<int>(v) + threshold) / 51);
+  };
   return level(c.r) * 36 + level(c.g) * 6 + level(c.b);
 }
 
@@ -77,8 +80,8 @@ std::string sixel_band(const std::vector<int>& indices, int width) {
 
 image::Image shrunk(const image::Image& image, int columns) {
   if (image.width <= columns) return image;
-  const int rows = std::max(1, static_cast<int>(std::lround(
-                                   static_cast<double>(image.height) * columns / image.width)));
+  const int rows = std::max(
+      1, static_cast<int>(std::lround(static_cast<double>(image.height) * columns / image.width)));
   image::Image out(columns, rows);
   const auto edge = [](int i, int from, int to) {
     return static_cast<int>(static_cast<std::int64_t>(i) * from / to);
@@ -135,7 +138,7 @@ std::string kitty(const image::Image& image, const image::Encoding& encoding, in
   std::string out;
   for (std::size_t at = 0; at < data.size(); at += 4096) {
     const int more = at + 4096 < data.size() ? 1 : 0;
-    out += fmt::format("\x1b_G{}m={};{}\x1b\\", at == 0 ? "f=100,a=T," : "", more,
+    out += fmt::format("\x1b_G{}m={};{}\x1b\\", at == 0 ? "f=100,a=T,q=2," : "", more,
                        data.substr(at, 4096));
   }
   return out + '\n';

@@ -54,11 +54,13 @@ std::string switch_text(const Option& o) {
 std::string long_text(const Option& o) {
   if (o.long_name.empty()) return {};
   if (o.form != Form::flag) return fmt::format("--{} {}", o.long_name, o.hint);
-  return fmt::format("--{}{}", o.long_name, o.hint.empty() ? "" : fmt::format("[={}", o.hint.substr(1)));
+  return fmt::format("--{}{}", o.long_name,
+                     o.hint.empty() ? "" : fmt::format("[={}", o.hint.substr(1)));
 }
 
 std::string keyword_text(const Option& o) {
-  return fmt::format("{}={}", o.keyword, o.form == Form::flag || o.form == Form::type ? "on" : o.hint);
+  return fmt::format("{}={}", o.keyword,
+                     o.form == Form::flag || o.form == Form::type ? "on" : o.hint);
 }
 
 /// Breaks at blanks so that lines stay within 100 columns.
@@ -96,8 +98,9 @@ std::string help_line(const Option& o) {
 std::string version_text() { return fmt::format("durer {}\n", DURER_VERSION); }
 
 std::string help_text() {
-  std::string out = fmt::format("Durer {}: renders scenes in the language of POV-Ray 3.7.\n\n{}\n{}",
-                                DURER_VERSION, usage, notes);
+  std::string out =
+      fmt::format("Durer {}: renders scenes in the language of POV-Ray 3.7.\n\n{}\n{}",
+                  DURER_VERSION, usage, notes);
   for (const Chapter& chapter : chapters) {
     out += fmt::format("\n{}\n", chapter.title);
     for (const Option& o : options()) {
@@ -111,8 +114,9 @@ std::string help_text() {
 std::string help_markdown() {
   std::string out = fmt::format("# The command line\n\n```\n{}```\n\n{}", usage, notes);
   for (const Chapter& chapter : chapters) {
-    out += fmt::format("\n## {}\n\n| switch | keyword | long option | meaning |\n|---|---|---|---|\n",
-                       chapter.title);
+    out +=
+        fmt::format("\n## {}\n\n| switch | keyword | long option | meaning |\n|---|---|---|---|\n",
+                    chapter.title);
     for (const Option& o : options()) {
       if (o.group != chapter.group) continue;
       const auto code = [](const std::string& text) {

@@ -81,12 +81,14 @@ bool is_assignment(std::string_view text) {
 
 void Reader::ini(std::string_view name, const Written& where) {
   std::string_view section;
-  if (const std::size_t open = name.rfind('['); open != std::string_view::npos && name.ends_with(']')) {
+  if (const std::size_t open = name.rfind('[');
+      open != std::string_view::npos && name.ends_with(']')) {
     section = trim(name.substr(open + 1, name.size() - open - 2));
     name = trim(name.substr(0, open));
   }
   if (depth_ >= max_depth) {
-    return error(fmt::format("`{}`: INI files are nested more than {} deep", name, max_depth), where);
+    return error(fmt::format("`{}`: INI files are nested more than {} deep", name, max_depth),
+                 where);
   }
   const std::string path = found_path(name, settings_->library_paths);
   auto text = path.empty() ? std::nullopt : read_text(path);
@@ -127,7 +129,8 @@ void Reader::ini_line(std::string_view line) {
 
 Span Reader::span_of(std::string_view text) const {
   const auto offset = text.data() - sources_->text(file_).data();
-  return {sources_->base(file_) + static_cast<Loc>(offset), static_cast<std::uint32_t>(text.size())};
+  return {sources_->base(file_) + static_cast<Loc>(offset),
+          static_cast<std::uint32_t>(text.size())};
 }
 
 void Reader::default_ini(const char* povini) {

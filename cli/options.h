@@ -20,15 +20,22 @@ enum class Form : std::uint8_t {
 
 /// Chapters of the help.
 enum class Group : std::uint8_t {
-  files, size, sampling, world, animation, messages, no_effect, not_yet
+  files,
+  size,
+  sampling,
+  world,
+  animation,
+  messages,
+  no_effect,
+  not_yet
 };
 
 /// What is wrong with a value, in words that follow "… : "; nothing if all is well.
 using Problem = std::optional<std::string>;
 
 struct Option {
-  std::string_view keyword;    // of INI files and `Keyword=value`
-  std::string_view letters;    // of the switch, "AM"; empty: there is none
+  std::string_view keyword;  // of INI files and `Keyword=value`
+  std::string_view letters;  // of the switch, "AM"; empty: there is none
   Form form = Form::value;
   std::string_view companion;  // the keyword that takes what is attached to a flag
   std::string_view long_name;  // "antialias" for `--antialias`; empty: there is none

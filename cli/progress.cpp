@@ -38,7 +38,8 @@ std::string time_text(double seconds) {
 
 std::string progress_text(const tracer::Progress& p) {
   std::string text = fmt::format("{:.0f} %", std::floor(share(p) * 100));
-  if (p.seconds > 0) text += fmt::format(", {} rays/s", count_text(static_cast<double>(p.rays) / p.seconds));
+  if (p.seconds > 0)
+    text += fmt::format(", {} rays/s", count_text(static_cast<double>(p.rays) / p.seconds));
   const double done = share(p);
   if (done > 0.005 && done < 1 && p.seconds > 0.5) {
     text += fmt::format(", {} left", time_text(p.seconds * (1 - done) / done));

@@ -104,7 +104,7 @@ class Render {
   }
 
   [[nodiscard]] std::string closing_line(const tracer::Progress& p) const {
-    const std::string where = output_.path.empty() ? "nothing written"
+    const std::string where = output_.path.empty()  ? "nothing written"
                               : output_.path == "-" ? "standard output"
                                                     : output_.path;
     const double rays = static_cast<double>(p.rays);
@@ -146,7 +146,8 @@ int render_command(const std::vector<std::string>& words) {
   }
   if (const Problem problem = check(settings)) reader.error(*problem, {});
   if (settings.input.empty() && !option_problems.has_errors()) {
-    reader.error("there is no scene to render", {}, "write `durer scene.scene`; `durer --help` lists the options");
+    reader.error("there is no scene to render", {},
+                 "write `durer scene.scene`; `durer --help` lists the options");
   }
   std::string problem;
   Console console(settings, problem);

@@ -33,7 +33,7 @@ struct Terminal {
 /// Two pixels per character cell: "▀" with 24-bit colours.
 [[nodiscard]] std::string half_blocks(const image::Image& image, const image::Encoding& encoding,
                                       int columns);
-/// A PNG inside the kitty graphics protocol, in chunks of 4096 characters.
+/// A PNG inside the kitty graphics protocol, in chunks of 4096 characters; no answer is asked for.
 [[nodiscard]] std::string kitty(const image::Image& image, const image::Encoding& encoding,
                                 int columns);
 /// DEC sixel graphics with a fixed palette of 6·6·6 colours, dithered.

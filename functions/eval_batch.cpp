@@ -15,24 +15,25 @@ void call_external(const External& e, const Context& c, const Pack* a, Pack* out
   }
 }
 
+template class Evaluator<Pack>;
+
 void evaluate_batch(const Function& f, std::span<const double* const> arguments, std::size_t n,
                     double* out, Workspace& w) {
+  const auto mark = w.batches.mark();
+  const std::span packs(w.batches.push(arguments.size()), arguments.size());
+  Evaluator<Pack> evaluator(f, w);
   for (std::size_t first = 0; first < n; first += Pack::lanes) {
     const std::size_t lanes = std::min<std::size_t>(Pack::lanes, n - first);
-    execute<Pack>(
-        f, w,
-        [&](Pack* frame) {
-          for (std::size_t i = 0; i < arguments.size(); ++i) {
-            const double* from = arguments[i] + first;
-            for (std::size_t lane = 0; lane < Pack::lanes; ++lane) {
-              frame[i].v[lane] = from[std::min(lane, lanes - 1)];  // idle lanes repeat the last
-            }
-          }
-        },
-        [&](const Pack* frame) {
-          std::copy_n(frame[f.results[0]].v.begin(), lanes, out + first);
-        });
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+      const double* from = arguments[i] + first;
+      for (std::size_t lane = 0; lane < Pack::lanes; ++lane) {
+        packs[i].v[lane] = from[std::min(lane, lanes - 1)];  // idle lanes repeat the last
+      }
+    }
+    evaluator(packs);
+    std::copy_n(evaluator.component(0).v.begin(), lanes, out + first);
   }
+  w.batches.pop_to(mark);
 }
 
 }  // namespace durer::functions

@@ -28,12 +28,10 @@ void call_external(const External& e, const Context& c, const Dual* a, Dual* out
   }
 }
 
+template class Evaluator<Dual>;
+
 Dual evaluate_gradient(const Function& f, std::span<const Dual> arguments, Workspace& w) {
-  Dual result;
-  execute<Dual>(
-      f, w, [&](Dual* frame) { std::copy(arguments.begin(), arguments.end(), frame); },
-      [&](const Dual* frame) { result = frame[f.results[0]]; });
-  return result;
+  return Evaluator<Dual>(f, w)(arguments);
 }
 
 Dual evaluate_gradient(const Function& f, dvec3 p, Workspace& w) {

@@ -9,12 +9,10 @@ void call_external(const External& e, const Context& c, const Interval* a, Inter
   std::fill_n(out, e.components, Interval::entire(true));
 }
 
+template class Evaluator<Interval>;
+
 Interval evaluate_interval(const Function& f, std::span<const Interval> arguments, Workspace& w) {
-  Interval result;
-  execute<Interval>(
-      f, w, [&](Interval* frame) { std::copy(arguments.begin(), arguments.end(), frame); },
-      [&](const Interval* frame) { result = frame[f.results[0]]; });
-  return result;
+  return Evaluator<Interval>(f, w)(arguments);
 }
 
 }  // namespace durer::functions

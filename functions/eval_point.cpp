@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "functions/machine.h"
 
 namespace durer::functions {
@@ -8,21 +6,17 @@ void call_external(const External& e, const Context& c, const double* a, double*
   e.point(e.self.get(), c, a, out);
 }
 
+template class Evaluator<double>;
+
 double evaluate(const Function& f, std::span<const double> arguments, Workspace& w) {
-  double result = 0;
-  execute<double>(
-      f, w, [&](double* frame) { std::copy(arguments.begin(), arguments.end(), frame); },
-      [&](const double* frame) { result = frame[f.results[0]]; });
-  return result;
+  return Evaluator<double>(f, w)(arguments);
 }
 
 void evaluate(const Function& f, std::span<const double> arguments, std::span<double> out,
               Workspace& w) {
-  execute<double>(
-      f, w, [&](double* frame) { std::copy(arguments.begin(), arguments.end(), frame); },
-      [&](const double* frame) {
-        for (std::size_t i = 0; i < f.results.size(); ++i) out[i] = frame[f.results[i]];
-      });
+  Evaluator<double> evaluator(f, w);
+  evaluator(arguments);
+  for (int i = 0; i < f.components(); ++i) out[i] = evaluator.component(i);
 }
 
 double evaluate_op(Op op, std::span<const double> arguments) {

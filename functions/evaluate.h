@@ -63,26 +63,45 @@ struct Workspace {
   FrameStack<Dual> gradients;
 };
 
-/// The first component at `arguments` (as many as the function has parameters).
+/// Evaluates one function again and again: its frame and constants are set up once. T is double (a
+/// point), Pack (eight points), Interval (a box; encloses what points inside it give) or Dual (value
+/// and gradient, by whatever the arguments' gradients refer to). Evaluators on one workspace must end
+/// in the opposite order of their beginning.
+template <class T>
+class Evaluator {
+ public:
+  Evaluator(const Function& f, Workspace& w);
+  ~Evaluator();
+  Evaluator(const Evaluator&) = delete;
+  Evaluator& operator=(const Evaluator&) = delete;
+
+  /// The first component at `arguments`, as many as the function has parameters.
+  T operator()(std::span<const T> arguments);
+  /// Component `i` of the last evaluation.
+  [[nodiscard]] const T& component(int i) const;
+
+ private:
+  const Function& f_;
+  Workspace& w_;
+  typename FrameStack<T>::Mark mark_;
+  T* frame_;
+};
+
+/// Single evaluations.
 [[nodiscard]] double evaluate(const Function& f, std::span<const double> arguments, Workspace& w);
-/// All components; `out` has f.components() places.
-void evaluate(const Function& f, std::span<const double> arguments, std::span<double> out,
-              Workspace& w);
-
-/// out[i] = f(arguments[0][i], arguments[1][i], …) for n points, bit for bit what `evaluate` gives.
-/// `arguments` holds one array of n numbers per parameter.
-void evaluate_batch(const Function& f, std::span<const double* const> arguments, std::size_t n,
-                    double* out, Workspace& w);
-
-/// Encloses what `evaluate` gives for arguments inside the ranges.
 [[nodiscard]] Interval evaluate_interval(const Function& f, std::span<const Interval> arguments,
                                          Workspace& w);
-
-/// Value and gradient by whatever the arguments' gradients refer to.
 [[nodiscard]] Dual evaluate_gradient(const Function& f, std::span<const Dual> arguments,
                                      Workspace& w);
 /// Value and gradient by the first three parameters.
 [[nodiscard]] Dual evaluate_gradient(const Function& f, dvec3 p, Workspace& w);
+/// All components; `out` has f.components() places.
+void evaluate(const Function& f, std::span<const double> arguments, std::span<double> out,
+              Workspace& w);
+/// out[i] = f(arguments[0][i], arguments[1][i], …) for n points, bit for bit what `evaluate` gives.
+/// `arguments` holds one array of n numbers per parameter.
+void evaluate_batch(const Function& f, std::span<const double* const> arguments, std::size_t n,
+                    double* out, Workspace& w);
 
 /// Value of a plain operation on up to four numbers; what constant folding uses.
 [[nodiscard]] double evaluate_op(Op op, std::span<const double> arguments);

@@ -1,6 +1,8 @@
 // The interpreter of tapes, a template over the kind of number. Included by eval_*.cpp only.
 #pragma once
 
+#include <algorithm>
+#include <cassert>
 #include <limits>
 
 #include "functions/evaluate.h"
@@ -49,8 +51,9 @@ template <class T>
 template <class T>
 class Machine {
  public:
-  Machine(const Function& f, T* registers, Workspace& w) : f_(f), r_(registers), w_(w) {
-    for (std::size_t i = 0; i < f.constants.size(); ++i) r_[f.parameters + i] = f.constants[i];
+  Machine(const Function& f, T* registers, Workspace& w) : f_(f), r_(registers), w_(w) {}
+  void load_constants() {
+    for (std::size_t i = 0; i < f_.constants.size(); ++i) r_[f_.parameters + i] = f_.constants[i];
   }
   void run() { run(0, static_cast<std::uint32_t>(f_.code.size())); }
 
@@ -105,7 +108,9 @@ class Machine {
     const auto mark = stack.mark();
     T* frame = stack.push(g.registers);
     gather(in.a, g.parameters, frame);
-    Machine(g, frame, w_).run();
+    Machine callee(g, frame, w_);
+    callee.load_constants();
+    callee.run();
     for (std::uint32_t i = 0; i < in.count; ++i) r_[in.dst + i] = frame[g.results[i]];
     stack.pop_to(mark);
   }
@@ -149,7 +154,7 @@ class Machine {
     } else {  // positive: neither negative nor zero, so that NaN counts as positive
       const auto negative = lt(condition, T(0));
       return two_way ? where(negative, others, value)
-                     : where(negative | eq(condition, T(0)), others, value);
+                     : where(either(negative, eq(condition, T(0))), others, value);
     }
   }
 
@@ -180,16 +185,25 @@ class Machine {
   Workspace& w_;
 };
 
-/// Evaluates `f`; `read` gets the frame when it is done.
-template <class T, class Fill, class Read>
-void execute(const Function& f, Workspace& w, Fill fill, Read read) {
-  FrameStack<T>& stack = frames(w, T());
-  const auto mark = stack.mark();
-  T* frame = stack.push(f.registers);
-  fill(frame);
-  Machine<T>(f, frame, w).run();
-  read(static_cast<const T*>(frame));
-  stack.pop_to(mark);
+template <class T>
+Evaluator<T>::Evaluator(const Function& f, Workspace& w)
+    : f_(f), w_(w), mark_(frames(w, T()).mark()), frame_(frames(w, T()).push(f.registers)) {
+  Machine<T>(f_, frame_, w_).load_constants();
+}
+template <class T>
+Evaluator<T>::~Evaluator() {
+  frames(w_, T()).pop_to(mark_);
+}
+template <class T>
+T Evaluator<T>::operator()(std::span<const T> arguments) {
+  assert(arguments.size() == f_.parameters);
+  std::copy(arguments.begin(), arguments.end(), frame_);
+  Machine<T>(f_, frame_, w_).run();
+  return frame_[f_.results[0]];
+}
+template <class T>
+const T& Evaluator<T>::component(int i) const {
+  return frame_[f_.results[static_cast<std::size_t>(i)]];
 }
 
 }  // namespace durer::functions

@@ -27,7 +27,9 @@ double fraction(double v) { return v - std::floor(v); }
 
 }  // namespace
 
-double noise(dvec3 p, NoiseGenerator generator) { return simd::kernels().noise(p, generator); }
+double noise(double x, double y, double z, NoiseGenerator generator) {
+  return simd::kernels().noise(x, y, z, generator);
+}
 
 void noise(std::span<const dvec3> points, NoiseGenerator generator, std::span<double> out) {
   assert(points.size() == out.size());

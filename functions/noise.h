@@ -17,7 +17,10 @@ using NoiseGenerator = int;
 
 /// Scalar noise at `p`, in [0, 1]. Period 4096 (generators 1, 2) or 2048 (3) along each axis.
 /// Source: textures §2.4, §2.5; agrees with the oracle to 5e-13.
-[[nodiscard]] double noise(dvec3 p, NoiseGenerator generator);
+[[nodiscard]] double noise(double x, double y, double z, NoiseGenerator generator);
+[[nodiscard]] inline double noise(const dvec3& p, NoiseGenerator generator) {
+  return noise(p.x, p.y, p.z, generator);
+}
 /// out[i] = noise(points[i]), to the last bit. `out` is as long as `points`.
 void noise(std::span<const dvec3> points, NoiseGenerator generator, std::span<double> out);
 /// Encloses noise over a box; tight while the box spans a few cells, [0, 1] for large ones.

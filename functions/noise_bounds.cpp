@@ -10,38 +10,53 @@ namespace {
 /// Covers the rounding of the value and the hair's breadth by which the cells of generators 1 and 2
 /// overlap below zero (1e-10 times a gradient below 10).
 constexpr double pad = 1e-8;
-/// A box over more cells than this is bounded by the range of the noise.
-constexpr int max_cells_per_axis = 3;
+/// A box over more cells is bounded by the range of the noise: nothing better would come out.
+constexpr int max_cells = 8;
 
 Cell cell_at(double x, double y, double z, NoiseGenerator generator) {
   return generator == 3 ? gradient_cell(gradient_lattice(), x, y, z) : table_cell(x, y, z);
 }
 
+/// A range as middle and radius: shorter formulas than with two ends. Rounding is left to `pad`.
+struct Ball {
+  double m = 0;
+  double r = 0;
+};
+using Box = std::array<Ball, 3>;
+
 /// A linear function of the position in the cell: c[0] + c[1] fx + c[2] fy + c[3] fz.
 using Linear = std::array<double, 4>;
-using Box = std::array<Interval, 3>;
 
 Linear corner_function(const Cell& cell, int corner) {
-  const double* r = cell.row[corner];
-  const double at_origin = r[0] - (corner & 1) * r[1] - ((corner >> 1) & 1) * r[2] - (corner >> 2) * r[3];
-  return {at_origin, r[1], r[2], r[3]};
+  const double* g = cell.row[corner];
+  const int dx = corner & 1;
+  const int dy = (corner >> 1) & 1;
+  const int dz = corner >> 2;
+  return {g[0] - dx * g[1] - dy * g[2] - dz * g[3], g[1], g[2], g[3]};
 }
-Interval over(const Linear& f, const Box& box) {
-  return Interval(f[0]) + f[1] * box[0] + f[2] * box[1] + f[3] * box[2];
+Ball over(const Linear& f, const Box& b) {
+  return {f[0] + f[1] * b[0].m + f[2] * b[1].m + f[3] * b[2].m,
+          std::abs(f[1]) * b[0].r + std::abs(f[2]) * b[1].r + std::abs(f[3]) * b[2].r};
 }
-Interval slope_of_smooth_step(const Interval& f) {
-  const auto slope = [](double v) { return 6 * v * (1 - v); };
-  const double p = slope(f.lo);
-  const double q = slope(f.hi);
-  return {std::min(p, q), f.lo <= 0.5 && f.hi >= 0.5 ? 1.5 : std::max(p, q)};
+/// The weighted mean a + s (b - a) for weights s in [0, 1].
+Ball mix(const Ball& a, const Ball& b, const Ball& s) {
+  return {a.m + s.m * (b.m - a.m),
+          a.r + s.m * (b.r - a.r) + s.r * (std::abs(b.m - a.m) + a.r + b.r)};
 }
-
-/// Weighted mean of two ranges with the weight S somewhere in a range.
-Interval mix(const Interval& a, const Interval& b, const Interval& s) {
-  return narrowed(hull(a, b), a * (Interval(1) - s) + b * s);
-}
-Interval mix(const std::array<Interval, 4>& v, const Interval& s, const Interval& t) {
+Ball mix(const std::array<Ball, 4>& v, const Ball& s, const Ball& t) {
   return mix(mix(v[0], v[1], s), mix(v[2], v[3], s), t);
+}
+Ball mix(const std::array<Ball, 8>& v, const Box& s) {
+  return mix(mix({v[0], v[1], v[2], v[3]}, s[0], s[1]), mix({v[4], v[5], v[6], v[7]}, s[0], s[1]),
+             s[2]);
+}
+Ball between(double lo, double hi) { return {(lo + hi) / 2, (hi - lo) / 2}; }
+
+Ball slope_of_smooth_step(const Ball& f) {
+  const auto slope = [](double v) { return 6 * v * (1 - v); };
+  const double p = slope(f.m - f.r);
+  const double q = slope(f.m + f.r);
+  return between(std::min(p, q), std::abs(f.m - 0.5) <= f.r ? 1.5 : std::max(p, q));
 }
 
 /// The interpolated sum over a box inside one cell. Its value is a weighted mean of the corner
@@ -52,57 +67,58 @@ Interval sum_over(const Cell& cell, const Box& box) {
   for (int k = 0; k < 8; ++k) corner[k] = corner_function(cell, k);
   Box s;
   Box centre;
-  for (int axis = 0; axis < 3; ++axis) {
-    s[axis] = {smooth_step(box[axis].lo), smooth_step(box[axis].hi)};
-    centre[axis] = box[axis].mid();
-  }
-  const auto trilinear = [](const std::array<Interval, 8>& v, const Box& w) {
-    return mix(mix({v[0], v[1], v[2], v[3]}, w[0], w[1]), mix({v[4], v[5], v[6], v[7]}, w[0], w[1]),
-               w[2]);
-  };
-  std::array<Interval, 8> values;
-  for (int k = 0; k < 8; ++k) values[k] = over(corner[k], box);
-  const Interval range = trilinear(values, s);
-
-  for (int k = 0; k < 8; ++k) values[k] = over(corner[k], centre);
   Box s_centre;
-  for (int axis = 0; axis < 3; ++axis) s_centre[axis] = smooth_step(centre[axis].lo);
-  Interval mean_value = trilinear(values, s_centre);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Ball& f = box[axis];
+    s[axis] = between(smooth_step(f.m - f.r), smooth_step(f.m + f.r));
+    centre[axis] = {f.m, 0};
+    s_centre[axis] = {smooth_step(f.m), 0};
+  }
+  std::array<Ball, 8> values;
+  for (int k = 0; k < 8; ++k) values[k] = over(corner[k], box);
+  const Ball range = mix(values, s);
+  for (int k = 0; k < 8; ++k) values[k] = over(corner[k], centre);
+  Ball mean_value = mix(values, s_centre);
+
   for (int axis = 0; axis < 3; ++axis) {
     const int step = 1 << axis;
-    std::array<Interval, 4> difference;
+    std::array<Ball, 4> difference;
     int n = 0;
     for (int k = 0; k < 8; ++k) {
-      values[k] = corner[k][axis + 1];
+      values[k] = {corner[k][axis + 1], 0};
       if ((k & step) != 0) continue;
       Linear d;
       for (int i = 0; i < 4; ++i) d[i] = corner[k + step][i] - corner[k][i];
       difference[n++] = over(d, box);
     }
-    const Interval change = mix(difference, s[axis == 0 ? 1 : 0], s[axis == 2 ? 1 : 2]);
-    const double radius = box[axis].radius();
-    mean_value += (slope_of_smooth_step(box[axis]) * change + trilinear(values, s)) *
-                  Interval(-radius, radius);
+    const Ball change = mix(difference, s[axis == 0 ? 1 : 0], s[axis == 2 ? 1 : 2]);
+    const Ball steepness = slope_of_smooth_step(box[axis]);
+    const Ball slope = mix(values, s);
+    const double steepest = (std::abs(change.m) + change.r) * (steepness.m + steepness.r);
+    const double turned = std::abs(change.m * steepness.m + slope.m) + change.r * steepness.m +
+                          (std::abs(change.m) + change.r) * steepness.r + slope.r;
+    mean_value.r += std::min(turned, steepest + std::abs(slope.m) + slope.r) * box[axis].r;
   }
-  return narrowed(range, mean_value);
+  return narrowed({range.m - range.r, range.m + range.r},
+                  {mean_value.m - mean_value.r, mean_value.m + mean_value.r});
 }
 
-/// Parts of an axis that lie in one cell each, as {coordinate of the cell, range of f}.
+/// Parts of an axis that lie in one cell each, as coordinate of the cell and position in it.
 struct AxisParts {
   int count = 0;
-  std::array<double, max_cells_per_axis> lower{};
-  std::array<Interval, max_cells_per_axis> f{};
+  std::array<double, max_cells> lower{};
+  std::array<Ball, max_cells> f{};
 };
 AxisParts split(const Interval& x, double shift) {
   AxisParts parts;
   const double first = std::floor(x.lo + shift);
   const double last = std::floor(x.hi + shift);
-  if (!(last - first < max_cells_per_axis) || !(std::abs(first) < 1e9)) return parts;
+  if (!(last - first < max_cells) || !(std::abs(first) < 1e9)) return parts;
   parts.count = static_cast<int>(last - first) + 1;
-  for (int i = 0; i < std::min(parts.count, max_cells_per_axis); ++i) {
+  for (int i = 0; i < std::min(parts.count, max_cells); ++i) {
     const double n = first + i;
     parts.lower[i] = n - shift;
-    parts.f[i] = {std::max(x.lo + shift - n, 0.0), std::min(x.hi + shift - n, 1.0)};
+    parts.f[i] = between(std::max(x.lo + shift - n, 0.0), std::min(x.hi + shift - n, 1.0));
   }
   return parts;
 }
@@ -126,7 +142,8 @@ Interval noise(Interval x, Interval y, Interval z, NoiseGenerator generator) {
   const bool nan = x.nan || y.nan || z.nan;
   // Beyond the 32-bit lattice the kernel overflows, to NaN at last.
   const auto far = [](const Interval& a) { return !(a.lo > -2e9 && a.hi < 2e9); };
-  if (px.count * py.count * pz.count == 0) return {0, 1, nan || far(x) || far(y) || far(z)};
+  const int cells = px.count * py.count * pz.count;
+  if (cells == 0 || cells > max_cells) return {0, 1, nan || far(x) || far(y) || far(z)};
 
   Interval sum;
   bool first = true;

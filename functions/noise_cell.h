@@ -9,10 +9,7 @@
 
 namespace durer::functions {
 
-/// Conversion to a 32-bit integer as the processor does it: what does not fit gives -2^31.
-[[nodiscard]] DURER_INLINE std::int32_t to_int32(double v) {
-  return v > -2147483649.0 && v < 2147483648.0 ? static_cast<std::int32_t>(v) : INT32_MIN;
-}
+using simd::to_int32;
 
 /// Where a coordinate lies on its axis of the lattice.
 struct CellAxis {
@@ -26,7 +23,7 @@ struct CellAxis {
 /// Generators 1 and 2. Integers below zero belong to the cell beneath, hence the shift before
 /// truncation that leaves them just inside it.
 [[nodiscard]] DURER_INLINE CellAxis table_axis(double x) {
-  const std::int32_t n = to_int32(x >= 0 ? x : x - (1 - 1e-10));
+  const std::int32_t n = to_int32(x - simd::if_negative(x, 1 - 1e-10));
   const double f = x - n;
   return {static_cast<std::uint32_t>(n) + 10000u, f, smooth_step(f)};
 }

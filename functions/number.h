@@ -11,6 +11,7 @@
 #include "base/interval.h"
 #include "functions/noise.h"
 #include "functions/pack.h"
+#include "functions/simd/inline.h"
 
 namespace durer::functions {
 
@@ -32,6 +33,13 @@ using std::abs, std::acos, std::acosh, std::asin, std::asinh, std::atan, std::at
 [[nodiscard]] inline bool all(Tri m) { return !m.can_be_false; }
 [[nodiscard]] inline bool none(Tri m) { return !m.can_be_true; }
 
+[[nodiscard]] inline bool both(bool a, bool b) { return a && b; }
+[[nodiscard]] inline bool either(bool a, bool b) { return a || b; }
+[[nodiscard]] inline Tri both(Tri a, Tri b) { return a & b; }
+[[nodiscard]] inline Tri either(Tri a, Tri b) { return a | b; }
+[[nodiscard]] inline PackMask both(const PackMask& a, const PackMask& b) { return a & b; }
+[[nodiscard]] inline PackMask either(const PackMask& a, const PackMask& b) { return a | b; }
+
 template <class T>
 [[nodiscard]] T truth(const decltype(lt(T(), T()))& m) {
   return where(m, T(1), T(0));
@@ -46,7 +54,7 @@ template <class Mask, class A, class B>
 
 // ---- conversion to a 32-bit integer and back; what does not fit becomes -2^31 --------------------
 [[nodiscard]] inline double truncated32(double v) {
-  return v > -2147483649.0 && v < 2147483648.0 ? std::trunc(v) + 0.0 : -2147483648.0;
+  return simd::to_int32(v);
 }
 [[nodiscard]] inline Pack truncated32(const Pack& a) {
   return pack_detail::map(a, [](double v) { return truncated32(v); });
@@ -73,9 +81,6 @@ template <class T>
 }
 
 // ---- scalar noise over each kind; generator already resolved to 0..3 ------------------------------
-[[nodiscard]] inline double noise(double x, double y, double z, NoiseGenerator g) {
-  return noise(dvec3(x, y, z), g);
-}
 [[nodiscard]] Pack noise(const Pack& x, const Pack& y, const Pack& z, NoiseGenerator g);
 
 /// If `p` is one number for the whole batch or box, that number.

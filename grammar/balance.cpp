@@ -112,7 +112,8 @@ void Balance::next_branch(Kind expected, std::string_view word, Span at) {
   Region& region = regions_.back();
   const bool fits = region.kind == expected || (word == "else" && region.kind == Kind::switch_);
   if (!fits) {
-    report(at, fmt::format("`#{}` without `#{}`", word, expected == Kind::switch_ ? "switch" : "if"),
+    report(at,
+           fmt::format("`#{}` without `#{}`", word, expected == Kind::switch_ ? "switch" : "if"),
            {}, {region.head, "the innermost open directive"});
     return;
   }

@@ -37,7 +37,10 @@ void Builder::word_item(std::string_view text) {
 
 void Builder::mark(std::string_view text) {
   token(text);
-  const char detail = text.size() == 1 ? text[0] : text[0] == '<' ? 'l' : text[0] == '>' ? 'g' : 'n';
+  const char detail = text.size() == 1 ? text[0]
+                      : text[0] == '<' ? 'l'
+                      : text[0] == '>' ? 'g'
+                                       : 'n';
   push_item(ItemKind::punct, 0, span(text), detail);
 }
 

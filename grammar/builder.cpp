@@ -11,9 +11,7 @@ using ast::ExprId;
 
 namespace {
 
-bool word_start(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
+bool word_start(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool word_char(char c) { return word_start(c) || (c >= '0' && c <= '9'); }
 
 // Text and its length are kept, so the C library sees a terminated copy only in the rare cases
@@ -92,12 +90,23 @@ Span Builder::token_span(std::string_view text) const {
 // ---- recovery -----------------------------------------------------------------------------------
 
 Builder::Checkpoint Builder::checkpoint() const {
-  return {tree_->exprs.size(),      tree_->expr_lists.size(), tree_->items.size(),
-          tree_->groups.size(),     tree_->directives.size(), tree_->branches.size(),
-          tree_->cases.size(),      tree_->params.size(),     tree_->strings.size(),
-          operands_.size(),         items_.size(),            frames_.size(),
-          pending_.size(),          branches_.size(),         cases_.size(),
-          depth_,                   last_end_};
+  return {tree_->exprs.size(),
+          tree_->expr_lists.size(),
+          tree_->items.size(),
+          tree_->groups.size(),
+          tree_->directives.size(),
+          tree_->branches.size(),
+          tree_->cases.size(),
+          tree_->params.size(),
+          tree_->strings.size(),
+          operands_.size(),
+          items_.size(),
+          frames_.size(),
+          pending_.size(),
+          branches_.size(),
+          cases_.size(),
+          depth_,
+          last_end_};
 }
 
 void Builder::rollback(const Checkpoint& to) {
@@ -281,8 +290,7 @@ void Builder::close_paren(const char* at) {
   const Frame frame = frames_.back();
   const Span where = frame.open.to(char_span(at));
   last_end_ = where.end();
-  const bool plain =
-      items_.size() == frame.items + 1U && items_.back().kind == ast::ItemKind::expr;
+  const bool plain = items_.size() == frame.items + 1U && items_.back().kind == ast::ItemKind::expr;
   if (!plain) return close_open_group(where, {ast::OpenGroup::Kind::paren, ast::none, 0, {}});
   const ExprId inner = items_.back().ref;
   items_.pop_back();
@@ -302,8 +310,8 @@ void Builder::close_call(const char* at) {
   frames_.pop_back();
   const auto* name = std::get_if<ast::Name>(&expr(callee).node);
   const bool user = name == nullptr || !symbols_->reserved(name->name);
-  push(where, user || may_expand(args), 1U + std::max<std::uint32_t>(height_of(args), expr(callee).height),
-       ast::Call{callee, args});
+  push(where, user || may_expand(args),
+       1U + std::max<std::uint32_t>(height_of(args), expr(callee).height), ast::Call{callee, args});
 }
 
 // A subscript waits in the index frame around it: as its expression if it is one, else as brackets.
@@ -311,8 +319,7 @@ void Builder::close_subscript(const char* at) {
   const Frame frame = frames_.back();
   const Span where = frame.open.to(char_span(at));
   last_end_ = where.end();
-  const bool plain =
-      items_.size() == frame.items + 1U && items_.back().kind == ast::ItemKind::expr;
+  const bool plain = items_.size() == frame.items + 1U && items_.back().kind == ast::ItemKind::expr;
   if (plain) {
     frames_.pop_back();
     items_.back().span = where;
@@ -327,8 +334,8 @@ void Builder::close_index() {
   const SymbolId name = std::get<ast::Name>(expr(array).node).name;
   const Span where = expr(array).span.to({last_end_ - 1, 1});
   const auto from = items_.begin() + frame.items;
-  const bool plain = std::all_of(
-      from, items_.end(), [](const ast::Item& i) { return i.kind == ast::ItemKind::expr; });
+  const bool plain = std::all_of(from, items_.end(),
+                                 [](const ast::Item& i) { return i.kind == ast::ItemKind::expr; });
   if (plain) {
     ast::Range subscripts;
     plain_list(subscripts);

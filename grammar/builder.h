@@ -1,6 +1,7 @@
-// From rules to nodes: what the grammar recognises becomes a Tree here. The builder keeps an operand
-// stack for expressions and a stack of frames for everything that has a beginning and an end; items
-// wait in the frame where they stand until it closes and they can lie in the tree as one run.
+// From rules to nodes: what the grammar recognises becomes a Tree here. The builder keeps an
+// operand stack for expressions and a stack of frames for everything that has a beginning and an
+// end; items wait in the frame where they stand until it closes and they can lie in the tree as one
+// run.
 #pragma once
 
 #include <string_view>
@@ -20,7 +21,7 @@ struct Failure {
   std::string_view expected = {};  // "`)`"
   Span opened{};                   // the innermost open bracket or directive, if there is one
   Kind kind = Kind::expected;
-  bool after_operand = false;      // vector: an expression precedes the `<`
+  bool after_operand = false;  // vector: an expression precedes the `<`
 
   /// Limits are final: no directive body can recover from them.
   [[nodiscard]] bool final() const { return kind == Kind::nesting || kind == Kind::height; }
@@ -87,7 +88,8 @@ class Builder {
   void enter(const char* at);
   void leave() { --depth_; }
 
-  // ---- expressions -------------------------------------------------------------------------------
+  // ---- expressions
+  // -------------------------------------------------------------------------------
 
   void number(std::string_view text);
   void string(std::string_view text);
@@ -98,7 +100,16 @@ class Builder {
   void member(std::string_view text);
 
   enum class FrameKind : std::uint8_t {
-    file, body, braces, brackets, paren, call, index, subscript, vector, head,
+    file,
+    body,
+    braces,
+    brackets,
+    paren,
+    call,
+    index,
+    subscript,
+    vector,
+    head,
   };
   void open(FrameKind kind, const char* at, bool in_function, bool arguments = false);
   void open(FrameKind kind, const char* at) { open(kind, at, frames_.back().in_function); }
@@ -114,7 +125,8 @@ class Builder {
   [[nodiscard]] bool directive_seen() const { return frames_.back().directive_seen; }
   [[nodiscard]] bool in_vector() const { return frames_.back().kind == FrameKind::vector; }
 
-  // ---- items -------------------------------------------------------------------------------------
+  // ---- items
+  // -------------------------------------------------------------------------------------
 
   void expression_item();
   /// Takes up the expression item before this place once more, as an operand, to be continued.
@@ -125,8 +137,9 @@ class Builder {
   void close_group(ast::ItemKind kind, const char* at);
   void close_file();
 
-  // ---- directives --------------------------------------------------------------------------------
-  // `head` is the text from `#` to the last token of the head; white space may follow in it.
+  // ---- directives
+  // -------------------------------------------------------------------------------- `head` is the
+  // text from `#` to the last token of the head; white space may follow in it.
 
   void begin_declare(std::string_view head, bool local);
   void deprecated(bool once);
@@ -157,10 +170,10 @@ class Builder {
  private:
   struct Frame {
     FrameKind kind = FrameKind::file;
-    bool in_function = false;    // `&` binds tighter than `|`
-    bool arguments = false;      // call arguments: a `<` after an operand may begin the next one
+    bool in_function = false;  // `&` binds tighter than `|`
+    bool arguments = false;    // call arguments: a `<` after an operand may begin the next one
     bool directive_seen = false;
-    std::uint32_t bodies = 0;    // directive bodies around
+    std::uint32_t bodies = 0;  // directive bodies around
     Span open{};
     std::uint32_t items = 0;     // first of its items in items_
     std::uint32_t operands = 0;  // first of its operands in operands_

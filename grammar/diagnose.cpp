@@ -10,7 +10,9 @@
 namespace durer::grammar {
 namespace {
 
-bool is_operator(char c) { return std::string_view("+-*/=<>&|!?").find(c) != std::string_view::npos; }
+bool is_operator(char c) {
+  return std::string_view("+-*/=<>&|!?").find(c) != std::string_view::npos;
+}
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
@@ -39,10 +41,10 @@ std::string describe(std::string_view token, const SymbolTable& symbols) {
 }
 
 constexpr std::array<std::string_view, 28> directive_words = {
-    "break",  "case",    "debug",   "declare", "default", "else",   "elseif", "end",
-    "error",  "fclose",  "fopen",   "for",     "if",      "ifdef",  "ifndef", "include",
-    "local",  "macro",   "range",   "read",    "render",  "switch", "undef",  "version",
-    "warning", "while",  "write",   "statistics"};
+    "break",  "case",    "debug",   "declare", "default", "else",  "elseif",
+    "end",    "error",   "fclose",  "fopen",   "for",     "if",    "ifdef",
+    "ifndef", "include", "local",   "macro",   "range",   "read",  "render",
+    "switch", "undef",   "version", "warning", "while",   "write", "statistics"};
 
 }  // namespace
 
@@ -71,7 +73,8 @@ Diagnostic Builder::diagnostic(const Failure& f) const {
       break;
     case Failure::Kind::height:
       d.code = Code::limit;
-      d.message = fmt::format("an expression cannot be more than {} operators deep", ast::max_height);
+      d.message =
+          fmt::format("an expression cannot be more than {} operators deep", ast::max_height);
       break;
     case Failure::Kind::directive:
       d.message = fmt::format("there is no directive `#{}`", token);

@@ -1,4 +1,5 @@
-// Directives (language §4). Their bodies are items; the scan has made sure that each has its `#end`.
+// Directives (language §4). Their bodies are items; the scan has made sure that each has its
+// `#end`.
 #pragma once
 
 #include "grammar/items.h"

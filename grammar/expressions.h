@@ -1,6 +1,6 @@
-// Expressions (language §2.2, §6.2). Two levels are read: *additive* nearly everywhere, *full* (with
-// relations, logic and `?:`) in parentheses, conditions and function bodies. That decides what `<`
-// means: after an additive expression it begins a vector, within a full one it compares.
+// Expressions (language §2.2, §6.2). Two levels are read: *additive* nearly everywhere, *full*
+// (with relations, logic and `?:`) in parentheses, conditions and function bodies. That decides
+// what `<` means: after an additive expression it begins a vector, within a full one it compares.
 //
 // The rules look one token ahead before an operator, so that they never begin what they cannot
 // finish: effects are safe. Only a vector may fail after its first effect (`#if (A) < B #end`), and
@@ -171,7 +171,8 @@ struct vector {
     Failure why;
     bool seen = false;
     try {
-      if (Control<vector_text>::template match<A, p::rewind_mode::required, Action, Control>(in, b)) {
+      if (Control<vector_text>::template match<A, p::rewind_mode::required, Action, Control>(in,
+                                                                                             b)) {
         return true;
       }
       if (*at == '<' && at[1] == '=') return false;

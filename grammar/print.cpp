@@ -1,5 +1,5 @@
-// The tree as canonical text. Parsing that text gives an equal tree: tokens are separated by blanks,
-// every item of a file, block or body stands on a line of its own, numbers round-trip.
+// The tree as canonical text. Parsing that text gives an equal tree: tokens are separated by
+// blanks, every item of a file, block or body stands on a line of its own, numbers round-trip.
 #include <fmt/format.h>
 
 #include <array>

@@ -22,7 +22,8 @@ struct predicate {
   }
 };
 
-// ---- what separates tokens -----------------------------------------------------------------------
+// ---- what separates tokens
+// -----------------------------------------------------------------------
 
 // NUL and Control-Z count as white space (language §1.1).
 struct blank : p::ranges<'\t', '\r', ' ', ' ', '\x1A', '\x1A', '\0'> {};
@@ -108,7 +109,8 @@ struct string_function : word_rule<string_function> {
   static bool accepts(const Builder::Word& w) { return returns_text(w.id); }
 };
 
-// ---- brackets ------------------------------------------------------------------------------------
+// ---- brackets
+// ------------------------------------------------------------------------------------
 
 /// A bracket whose partner exists in the same file and body.
 template <char C>

@@ -1,6 +1,6 @@
 #include "grammar/vocabulary.h"
 
-#include <array>
+#include <iterator>
 
 namespace durer::grammar {
 namespace {
@@ -10,7 +10,7 @@ struct ReservedWord {
   WordClass word_class;
 };
 
-constexpr std::array reserved_words = {
+constexpr ReservedWord reserved_words[] = {
 #define DURER_WORD(enumerator, text, word_class) ReservedWord{text, WordClass::word_class},
 #include "grammar/vocabulary.def"
 #undef DURER_WORD
@@ -19,8 +19,8 @@ constexpr std::array reserved_words = {
 }  // namespace
 
 SymbolTable::SymbolTable() {
-  ids_.reserve(2 * reserved_words.size());
-  classes_.reserve(reserved_words.size());
+  ids_.reserve(2 * std::size(reserved_words));
+  classes_.reserve(std::size(reserved_words));
   for (const ReservedWord& word : reserved_words) {
     intern(word.text);
     classes_.push_back(word.word_class);

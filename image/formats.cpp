@@ -14,9 +14,8 @@ namespace durer::image {
 namespace {
 
 bool same_word(std::string_view a, std::string_view b) {
-  return std::ranges::equal(a, b, [](unsigned char x, unsigned char y) {
-    return std::tolower(x) == std::tolower(y);
-  });
+  return std::ranges::equal(
+      a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
 /// True if `word` ("jpeg", without a dot) is an extension of the format.
@@ -61,9 +60,8 @@ const Format* format_named(std::string_view name) {
       return f.letter != 0 && same_word({&f.letter, 1}, name);
     });
   }
-  return find_format([&](const Format& f) {
-    return same_word(f.name, name) || is_extension(f, name);
-  });
+  return find_format(
+      [&](const Format& f) { return same_word(f.name, name) || is_extension(f, name); });
 }
 
 }  // namespace durer::image

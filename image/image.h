@@ -40,7 +40,7 @@ struct Encoding {
   int bits = 8;                          // per channel, 5…16, where the format has a choice
   bool greyscale = false;
   bool alpha = false;
-  int compression = -1;                  // JPEG quality 0…100, PNG 0…9, TGA 0 or 1; -1: default
+  int compression = -1;  // JPEG quality 0…100, PNG 0…9, TGA 0 or 1; -1: default
 };
 
 /// The bytes of a whole file, or what stands in the way.
@@ -51,19 +51,20 @@ struct Encoded {
 
 /// One output format; see formats.def for the list.
 struct Format {
-  std::string_view name;        // "png"
-  std::string_view extension;   // ".png"
-  std::string_view spellings;   // other extensions of it: ".jpeg .jpe"
-  char letter;                  // in `+FN`, `Output_File_Type=N`; 0: none
+  std::string_view name;       // "png"
+  std::string_view extension;  // ".png"
+  std::string_view spellings;  // other extensions of it: ".jpeg .jpe"
+  char letter;                 // in `+FN`, `Output_File_Type=N`; 0: none
   std::string_view doc;
-  bool linear;                  // holds linear light, no file gamma
+  bool linear;  // holds linear light, no file gamma
   bool has_alpha;
-  int max_bits;                 // 8, 16 or 32
+  int max_bits;  // 8, 16 or 32
   Encoded (*encode)(const Image& image, const Encoding& encoding);
 };
 
 [[nodiscard]] std::span<const Format* const> formats();
-/// By file extension ("a.PNG"), case-insensitive, with the usual second spellings (.jpeg, .tif); null if unknown.
+/// By file extension ("a.PNG"), case-insensitive, with the usual second spellings (.jpeg, .tif);
+/// null if unknown.
 [[nodiscard]] const Format* format_of(std::string_view path);
 /// By name ("png", "jpg" too) or by letter ("N"), case-insensitive; null if unknown.
 [[nodiscard]] const Format* format_named(std::string_view name);

@@ -49,7 +49,10 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
          fmt::format("`{}` is a word of the language and cannot be declared", name_of(node.name)),
          "choose another name; names that start with a capital letter are always free");
   }
-  // The old value stays visible while the new one is worked out.
+  // Where the value goes is settled first: its last operand may stand inside a macro, whose scope
+  // is still open then. The old value stays visible while the new one is worked out.
+  const std::uint32_t scope = env_.scope();
+  Slot* const existing = node.local ? env_.find_in_scope(node.name, scope) : env_.find(node.name);
   Value value;
   bool semicolon = node.semicolon;
   if (node.value != ast::none) {
@@ -79,7 +82,7 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
            fmt::format("`{}` is {}, not an array", name_of(node.name), kind_name(*base)));
     }
     // `#local A[i]` on an array of an outer scope is evaluated and lost (language §4.3).
-    if (node.local && slot->scope != env_.scope() && first_defined(**array) != nullptr) return;
+    if (node.local && slot->scope != scope && first_defined(**array) != nullptr) return;
     Value* target = element(node.name, read_subscripts(tree, node.subscripts), node.target, true, false);
     store(*target, std::move(value), true, array->get(), node.target);
     return;
@@ -89,7 +92,7 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
          fmt::format("`{}` is a macro and cannot become a variable", name_of(node.name)),
          "`#undef` it first, or choose another name");
   }
-  Slot& slot = node.local ? env_.for_local(node.name) : env_.for_declare(node.name);
+  Slot& slot = existing != nullptr ? *existing : env_.in_scope(node.name, node.local ? scope : 0);
   Value* target = Environment::value_of(&slot);
   const bool through_element = slot.target != nullptr && !slot.path.empty();
   if (target == nullptr) fail(Code::evaluation, node.target, "this parameter no longer has a value");

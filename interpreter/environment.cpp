@@ -42,23 +42,19 @@ Slot& Environment::insert(SymbolId name, std::uint32_t scope) {
   while (*link != nullptr && (*link)->scope > scope) link = &(*link)->below;
   slot->below = *link;
   *link = slot;
-  if (scope > 0) owned_.push_back(slot);
+  if (scope == scope_begin_.size()) {
+    if (scope > 0) owned_.push_back(slot);
+  } else if (scope > 0) {
+    // An outer scope: the value of a #local may end inside a macro that it calls.
+    owned_.insert(owned_.begin() + static_cast<std::ptrdiff_t>(scope_begin_[scope]), slot);
+    for (std::size_t i = scope; i < scope_begin_.size(); ++i) ++scope_begin_[i];
+  }
   return *slot;
 }
 
-Slot& Environment::for_declare(SymbolId name) {
-  Slot* s = find(name);
-  return s != nullptr ? *s : insert(name, 0);
-}
-
-Slot& Environment::for_local(SymbolId name) {
-  Slot* s = find_in_scope(name, scope());
-  return s != nullptr ? *s : insert(name, scope());
-}
-
-Slot& Environment::for_global(SymbolId name) {
-  Slot* s = find_in_scope(name, 0);
-  return s != nullptr ? *s : insert(name, 0);
+Slot& Environment::in_scope(SymbolId name, std::uint32_t scope) {
+  Slot* s = find_in_scope(name, scope);
+  return s != nullptr ? *s : insert(name, scope);
 }
 
 Slot& Environment::add(SymbolId name) { return insert(name, scope()); }

@@ -46,12 +46,12 @@ class Environment {
   /// What the slot stands for; follows references. Null if it has no value.
   [[nodiscard]] static Value* value_of(Slot* slot);
 
-  /// The slot that `#declare name` writes: the innermost visible one, else a new global.
-  Slot& for_declare(SymbolId name);
   /// The slot that `#local name` writes: the one of the current scope, else a new one in it.
-  Slot& for_local(SymbolId name);
+  Slot& for_local(SymbolId name) { return in_scope(name, scope()); }
+  /// The slot of `name` in an open scope, made if it is not there.
+  Slot& in_scope(SymbolId name, std::uint32_t scope);
   /// A slot in the outermost scope, for macros and file handles.
-  Slot& for_global(SymbolId name);
+  Slot& for_global(SymbolId name) { return in_scope(name, 0); }
   /// A new slot in the current scope, hiding any other (macro parameters).
   Slot& add(SymbolId name);
 

@@ -62,7 +62,7 @@ class Interpreter {
     Nested(Interpreter& in, const ast::Tree& tree, ast::ExprId expr);
     Nested(const Nested&) = delete;
     Nested& operator=(const Nested&) = delete;
-    ~Nested() { in_.close_barrier(depth_, unread_base_); }
+    ~Nested() { in_.close_barrier(depth_, unread_base_, declare_depth_); }
     /// Error unless everything has been read.
     void finish(std::string_view what);
 
@@ -71,9 +71,10 @@ class Interpreter {
     Interpreter& in_;
     std::size_t depth_;
     std::size_t unread_base_;
+    std::size_t declare_depth_;
   };
   friend class Nested;
-  void close_barrier(std::size_t depth, std::size_t unread_base);
+  void close_barrier(std::size_t depth, std::size_t unread_base, std::size_t declare_depth);
 
   // ---- execute.cpp, directives/: what directives do
   void execute(const ast::Tree& tree, const ast::Item& item);
@@ -175,6 +176,8 @@ class Interpreter {
   Num read_factor(int length);
   bool at_operator();
   bool at_full_operator();
+  [[nodiscard]] bool in_declared_value() const;
+  void leave_ended_frames();
   Token next_operator();
   Num continue_product(Num n);
   Num continue_sum(Num n);

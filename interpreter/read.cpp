@@ -155,12 +155,36 @@ bool Interpreter::at_operator() {
     const Frame& f = frames_.back();
     const bool items_left = f.kind != Frame::Kind::expansion && f.pos < f.end;
     if (f.kind == Frame::Kind::barrier && !items_left) return false;
-    if (frames_.size() <= declare_depth_ && items_left) return false;
-    if (frames_.size() <= declare_depth_ && f.kind != Frame::Kind::expansion) return false;
-    t = peek();
+    if (in_declared_value()) {
+      leave_ended_frames();
+      t = raw_next();
+    } else {
+      t = peek();
+    }
   }
   if (t.kind == Token::Kind::punct) return is_operator(t.punct);
   return t.kind == Token::Kind::expr && leading_sign(*t.tree, t.expr) != nullptr;
+}
+
+/// True if the value of a #declare is being read, outside of any block or delimiter in it.
+bool Interpreter::in_declared_value() const {
+  if (declare_depth_ == 0) return false;
+  for (std::size_t i = frames_.size(); i > declare_depth_; --i) {
+    if (frames_[i - 1].kind == Frame::Kind::group) return false;
+  }
+  return true;
+}
+
+/// Closes the bodies and branches that have been read to their ends, executing nothing.
+void Interpreter::leave_ended_frames() {
+  while (frames_.size() > declare_depth_) {
+    const Frame& f = frames_.back();
+    const bool ended = f.kind == Frame::Kind::expansion ? pieces_.size() == f.pieces : f.pos >= f.end;
+    const bool closes = f.kind == Frame::Kind::expansion || f.kind == Frame::Kind::macro ||
+                        f.kind == Frame::Kind::branch;
+    if (!ended || !closes) return;
+    pop();
+  }
 }
 
 bool Interpreter::at_full_operator() {
@@ -391,7 +415,7 @@ int component_of(SymbolId word) {
 void Interpreter::continue_colour(Num& c) {
   for (;;) {
     const Token raw = raw_next();
-    const Token word = raw.kind == Token::Kind::end && frames_.size() > declare_depth_ ? peek() : raw;
+    const Token word = raw.kind == Token::Kind::end && !in_declared_value() ? peek() : raw;
     const int slot = word.kind == Token::Kind::word ? component_of(word.word) : -1;
     if (slot < 0) break;
     next();

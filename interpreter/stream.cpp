@@ -2,6 +2,8 @@
 // met on the way are executed, macro calls are replaced by frames of their bodies.
 #include "interpreter/stream.h"
 
+#include <utility>
+
 #include "interpreter/interpreter.h"
 
 namespace durer::interpreter {
@@ -351,6 +353,7 @@ void Interpreter::Nested::open(const ast::Tree& tree) {
   depth_ = in_.frames_.size();
   unread_base_ = in_.unread_base_;
   in_.unread_base_ = in_.unread_.size();
+  declare_depth_ = std::exchange(in_.declare_depth_, 0);
   if (++in_.nesting_ > max_nesting) {
     in_.fail(Code::limit, in_.frames_.back().call, "expressions are nested too deeply",
              "is a macro calling itself without end?");
@@ -381,7 +384,8 @@ void Interpreter::Nested::finish(std::string_view what) {
   if (t.kind != Token::Kind::end) in_.unexpected(t, what);
 }
 
-void Interpreter::close_barrier(std::size_t depth, std::size_t unread_base) {
+void Interpreter::close_barrier(std::size_t depth, std::size_t unread_base, std::size_t declare_depth) {
+  declare_depth_ = declare_depth;
   while (frames_.size() > depth) pop();
   unread_.resize(unread_base_);
   unread_base_ = unread_base;

@@ -21,7 +21,8 @@ Bounds3 stored(const Bounds3& b) {
   Bounds3 r;
   for (int i = 0; i < 3; ++i) {
     r.lo[i] = static_cast<float>(std::max(b.lo[i], -unbounded));
-    r.hi[i] = r.lo[i] + static_cast<double>(static_cast<float>(std::min(b.hi[i], unbounded) - r.lo[i]));
+    r.hi[i] =
+        r.lo[i] + static_cast<double>(static_cast<float>(std::min(b.hi[i], unbounded) - r.lo[i]));
   }
   return r;
 }
@@ -120,7 +121,8 @@ class Measure {
   }
 
   /// The common box of bounds or clips, if it is smaller than the object's own and replaces it.
-  std::optional<Bounds3> cut(const Bounds3& own, const std::vector<ObjectId>& cutters, const Transform& space) {
+  std::optional<Bounds3> cut(const Bounds3& own, const std::vector<ObjectId>& cutters,
+                             const Transform& space) {
     Bounds3 common{dvec3(-no_hit_depth), dvec3(no_hit_depth)};
     for (const ObjectId id : cutters) {
       if (!scene_.objects[id].inverse) common = common.intersection(box(id, space));

@@ -21,9 +21,9 @@ using scene::Object;
 struct Context {
   Transform to_world;  // from the space around the object
   bool inverted = false;
-  bool scenery = true;   // false: part of a clip or bound, never seen
-  bool muted = false;    // part of a clip
-  bool splits = true;    // a plain union here falls apart into its children
+  bool scenery = true;      // false: part of a clip or bound, never seen
+  bool muted = false;       // part of a clip
+  bool splits = true;       // a plain union here falls apart into its children
   bool flags_count = true;  // inside an intersection the flags of children do not (objects §9.2)
   std::uint8_t mask = seen_by_image | seen_by_reflection | casts_shadow;
   bool double_illuminate = false;

@@ -36,10 +36,10 @@ struct InteriorInstance {
 };
 
 struct Hit {
-  double t = no_hit_depth;   // along the ray, world units
+  double t = no_hit_depth;  // along the ray, world units
   std::uint32_t leaf = 0;
-  dvec3 p{0.0};              // world point
-  dvec3 n{0.0, 1.0, 0.0};    // world unit normal, outward; negated for inverted and subtracted leaves
+  dvec3 p{0.0};            // world point
+  dvec3 n{0.0, 1.0, 0.0};  // world unit normal, outward; negated for inverted and subtracted leaves
 };
 
 /// What a ray may see (shading §5.5).

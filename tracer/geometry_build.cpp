@@ -71,8 +71,8 @@ void Geometry::State::index_bodies() {
   std::vector<Bounds3> boxes;
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
     const Body& body = bodies[i];
-    const Bounds3 b =
-        body.store != nullptr ? body.store->inside_bounds(body.index) : parts.solids[body.index].inside;
+    const Bounds3 b = body.store != nullptr ? body.store->inside_bounds(body.index)
+                                            : parts.solids[body.index].inside;
     if (body.inverted || b.infinite()) {
       endless_bodies.push_back(i);
     } else {

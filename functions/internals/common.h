@@ -68,7 +68,7 @@ template <class T>
 /// x, moved off the y axis by a hair where the point lies on it, for angles about that axis.
 template <class T>
 [[nodiscard]] T x_off_axis(const Args<T>& a, double hair) {
-  return where(eq(a.x, T(0)) & eq(a.z, T(0)), T(hair), a.x);
+  return where(both(eq(a.x, T(0)), eq(a.z, T(0))), T(hair), a.x);
 }
 
 /// Plane coordinates of a curve that is swept along z or, with the switch on, turned about y.

@@ -18,9 +18,12 @@ T signed_noise(const T& x, const T& y, const T& z, NoiseGenerator g) {
 
 template <class T>
 T ridge_sum(const T& x, const T& y, const T& z, const double* p) {
-  const auto [lambda, octaves, omega, offset, ridge, generator] =
-      std::array{p[0], p[1], p[2], p[3], p[4], p[5]};
-  const NoiseGenerator g = generator_of(generator);
+  const double lambda = p[0];
+  const double octaves = p[1];
+  const double omega = p[2];
+  const double offset = p[3];
+  const double ridge = p[4];
+  const NoiseGenerator g = generator_of(p[5]);
   const double size = max(ridge, 1 - ridge);
   const auto f = [&](double k) { return T(abs(noise(k * x, k * y, k * z, g) - ridge) / size - offset); };
   const int n = static_cast<int>(truncated32(octaves));
@@ -46,29 +49,36 @@ T ridge_sum(const T& x, const T& y, const T& z, const double* p) {
 /// call of the run for ever, which differs only in scenes with several parameter sets.
 template <class T>
 T ridged_mf_sum(T x, T y, T z, const double* p) {
-  const auto [H, lacunarity, octaves, offset, gain, generator] =
-      std::array{p[0], p[1], p[2], p[3], p[4], p[5]};
-  const NoiseGenerator g = generator_of(generator);
+  const double H = p[0];
+  const double lacunarity = p[1];
+  const double octaves = p[2];
+  const double offset = p[3];
+  const double gain = p[4];
+  const NoiseGenerator g = generator_of(p[5]);
   T signal = sqr(offset - abs(signed_noise(x, y, z, g)));
   T result = signal;
-  double frequency = 1;
+  const double falloff = std::pow(lacunarity, -H);
+  double weight_of_octave = 1;
   for (int i = 1; i < octaves; ++i) {
     x *= lacunarity;
     y *= lacunarity;
     z *= lacunarity;
-    frequency *= lacunarity;
+    weight_of_octave *= falloff;
     const T weight = min(T(1), max(T(signal * gain), T(0)));
     signal = sqr(offset - abs(signed_noise(x, y, z, g))) * weight;
-    result += signal * std::pow(frequency, -H);
+    result += signal * weight_of_octave;
   }
   return result;
 }
 
 template <class T>
 T hetero_mf_sum(T x, T y, T z, const double* p) {
-  const auto [H, lacunarity, octaves, offset, power, generator] =
-      std::array{p[0], p[1], p[2], p[3], p[4], p[5]};
-  const NoiseGenerator g = generator_of(generator);
+  const double H = p[0];
+  const double lacunarity = p[1];
+  const double octaves = p[2];
+  const double offset = p[3];
+  const double power = p[4];
+  const NoiseGenerator g = generator_of(p[5]);
   const auto n = [&] { return T(signed_noise(x, y, z, g) + offset); };
   const auto next_octave = [&] {
     x *= lacunarity;

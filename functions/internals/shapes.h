@@ -45,7 +45,7 @@ T f_helix1(const Args<T>& a) {
   const T turn = positive_mod(T(atan2(z, x) * p[0] + y * p[1] * p[0]), T(2 * pi));
   const T v = (turn - pi) / p[4] / (p[1] * p[0]);
   const T u = r - p[3];
-  const auto straight = eq(p[5], T(1)) | eq(p[6], T(0));
+  const auto straight = either(eq(p[5], T(1)), eq(p[6], T(0)));
   const T angle = p[6] * (pi / 180);
   const T u2 = lazily(straight, [&] { return u; }, [&] { return T(u * cos(angle) - v * sin(angle)); });
   const T v2 = lazily(straight, [&] { return v; }, [&] { return T(u * sin(angle) + v * cos(angle)); });
@@ -91,7 +91,10 @@ T f_hex_y(const Args<T>& args) {
 }
 template <class T>
 T f_mesh1(const Args<T>& a) {
-  const auto& [x, y, z, p, context] = a;
+  const T& x = a.x;
+  const T& y = a.y;
+  const T& z = a.z;
+  const T* const p = a.p;
   const auto offset = [&](const T& q, const T& d) { return T(abs(positive_mod(q, T(2 * d)) - d) * p[2]); };
   const T wave_z = p[3] * cos(pi * z / p[1]);
   const T wave_x = p[3] * cos(pi * x / p[0]);

@@ -124,7 +124,9 @@ DURER_INLINE dvec3 vturbulence_of(dvec3 p, const Octaves& o) {
 // One set of entry points: `target` is the attribute of each, `Quad` its register form.
 #define DURER_NOISE_KERNELS(name, Quad, target)                                                \
   namespace name {                                                                             \
-  target double noise(dvec3 p, int g) { return noise_of<Quad>(p, g); }                         \
+  target double noise(double x, double y, double z, int g) {                                   \
+    return noise_of<Quad>({x, y, z}, g);                                                       \
+  }                                                                                            \
   target void noise_many(const dvec3* p, std::size_t n, int g, double* out) {                  \
     noise_many_of<Quad>(p, n, g, out);                                                         \
   }                                                                                            \
@@ -150,15 +152,23 @@ const NoiseKernels& baseline_kernels() { return baseline::table; }
 
 const NoiseKernels* avx2_kernels() {
 #ifdef __x86_64__
-  static const bool available = __builtin_cpu_supports("avx2") != 0;
-  if (available) return &avx2::table;
+  if (__builtin_cpu_supports("avx2") != 0) return &avx2::table;
 #endif
   return nullptr;
 }
 
-const NoiseKernels& kernels() {
-  static const NoiseKernels best = avx2_kernels() != nullptr ? *avx2_kernels() : baseline::table;
-  return best;
-}
+namespace {
+
+// Not a function-local static: its guard would cost a tenth of a noise call. Whoever asks before the
+// second line has run gets the baseline, which gives the same bits.
+constinit const NoiseKernels* best = &baseline::table;
+[[maybe_unused]] const bool chosen = [] {
+  if (avx2_kernels() != nullptr) best = avx2_kernels();
+  return true;
+}();
+
+}  // namespace
+
+const NoiseKernels& kernels() { return *best; }
 
 }  // namespace durer::functions::simd

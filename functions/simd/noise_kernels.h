@@ -9,7 +9,7 @@
 namespace durer::functions::simd {
 
 struct NoiseKernels {
-  double (*noise)(dvec3 p, int generator);
+  double (*noise)(double x, double y, double z, int generator);
   void (*noise_many)(const dvec3* points, std::size_t n, int generator, double* out);
   dvec3 (*vnoise)(dvec3 p);
   void (*vnoise_many)(const dvec3* points, std::size_t n, dvec3* out);

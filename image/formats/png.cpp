@@ -24,9 +24,10 @@ void write_header(png_structp png, png_infop info, const Image& image, const Cod
                   const Encoding& encoding) {
   static constexpr int colour_types[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA,
                                          PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGB_ALPHA};
-  png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
-               codes.sample_bits, colour_types[codes.channels - 1], PNG_INTERLACE_NONE,
-               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_IHDR(png, info, static_cast<png_uint_32>(image.width),
+               static_cast<png_uint_32>(image.height), codes.sample_bits,
+               colour_types[codes.channels - 1], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+               PNG_FILTER_TYPE_DEFAULT);
   const GammaCurve curve = stored_curve(encoding);
   if (curve.kind == GammaCurve::Kind::srgb) {
     png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
@@ -51,10 +52,12 @@ std::vector<unsigned char> to_bytes(const Codes& codes) {
 /// False if libpng stopped with an error: it jumps back to here, so nothing in this function may
 /// have a destructor, and it must not become part of one that has.
 [[gnu::noinline]] bool run(png_structp png, png_infop info, const Image& image, const Codes& codes,
-                           const Encoding& encoding, const unsigned char* rows, std::size_t stride) {
+                           const Encoding& encoding, const unsigned char* rows,
+                           std::size_t stride) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   write_header(png, info, image, codes, encoding);
-  for (int y = 0; y < image.height; ++y) png_write_row(png, rows + static_cast<std::size_t>(y) * stride);
+  for (int y = 0; y < image.height; ++y)
+    png_write_row(png, rows + static_cast<std::size_t>(y) * stride);
   png_write_end(png, nullptr);
   return true;
 }
@@ -69,9 +72,8 @@ Encoded encode(const Image& image, const Encoding& encoding) {
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, keep_message, nullptr);
   png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
   if (info != nullptr) png_set_write_fn(png, &file.bytes, append, nullptr);
-  const bool whole = info != nullptr &&
-                     run(png, info, image, codes, encoding, rows.data(),
-                         rows.size() / static_cast<std::size_t>(image.height));
+  const bool whole = info != nullptr && run(png, info, image, codes, encoding, rows.data(),
+                                            rows.size() / static_cast<std::size_t>(image.height));
   png_destroy_write_struct(&png, &info);
   if (!whole) return {.bytes = {}, .error = std::move(message)};
   return file;

@@ -1,6 +1,6 @@
-// Embree chooses whom to ask: one user geometry per sort of target, boxes in single precision rounded
-// outward. The answers, in double precision, live in the query. The only file that includes Embree,
-// and the only one that knows whether it is version 3 or 4.
+// Embree chooses whom to ask: one user geometry per sort of target, boxes in single precision
+// rounded outward. The answers, in double precision, live in the query. The only file that includes
+// Embree, and the only one that knows whether it is version 3 or 4.
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
 #else
@@ -48,8 +48,8 @@ float depth_above(double t) { return static_cast<float>(t * (1 + 1e-6)); }
 
 /// The part of the scene that Embree is told of.
 struct Region {
-  Bounds3 box;       // of everything in it
-  double reach = 0;  // greatest coordinate in it
+  Bounds3 box;        // of everything in it
+  double reach = 0;   // greatest coordinate in it
   dvec3 center{0.0};  // boxes and rays are given relative to it
   /// Embree rounds our ray to single precision and steps along it in single precision: errors of
   /// a few 2^-24 of the region's size, which the boxes must cover.
@@ -190,7 +190,8 @@ class EmbreeAccel final : public Accel {
     }
     if (finite.empty()) return;
     const std::size_t few = std::min(most + 1, finite.size());
-    std::partial_sort(finite.begin(), finite.begin() + static_cast<std::ptrdiff_t>(few), finite.end(),
+    std::partial_sort(finite.begin(), finite.begin() + static_cast<std::ptrdiff_t>(few),
+                      finite.end(),
                       [](const Finite& a, const Finite& b) { return a.reach > b.reach; });
     std::size_t outside = 0;
     for (std::size_t k = 1; k < few; ++k) {
@@ -229,7 +230,8 @@ class EmbreeAccel final : public Accel {
   bool prepare(RayQuery& query, Travelling& context, RTCRay& ray) const {
     double t_from = query.t_from;
     double t_to = query.t_to;
-    if (region_.box.empty() || !BoxTree::clip(region_.box, query.ray.o, 1.0 / query.ray.d, t_from, t_to)) {
+    if (region_.box.empty() ||
+        !BoxTree::clip(region_.box, query.ray.o, 1.0 / query.ray.d, t_from, t_to)) {
       return false;
     }
     init_context(context);

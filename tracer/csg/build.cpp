@@ -69,8 +69,8 @@ class SolidBuilder {
       solid_.leaf_of_box.push_back(index);
       boxes_.push_back(inside);
     }
-    return {ref->store->surface_bounds(ref->shape),
-            ref->inverted ? Bounds3::everything() : inside, ref->inverted};
+    return {ref->store->surface_bounds(ref->shape), ref->inverted ? Bounds3::everything() : inside,
+            ref->inverted};
   }
 
   // A primitive without surface and inside is a union of nothing; its inverse fills space.

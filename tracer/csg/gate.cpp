@@ -1,4 +1,5 @@
-// `bounded_by`: where the bound is right it changes nothing; where it is wrong it cuts (objects §4).
+// `bounded_by`: where the bound is right it changes nothing; where it is wrong it cuts (objects
+// §4).
 #include "tracer/csg/build.h"
 #include "tracer/csg/sweep.h"
 #include "tracer/query.h"

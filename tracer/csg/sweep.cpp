@@ -64,11 +64,10 @@ void Sweep::judge(std::size_t begin, std::size_t end) {
 }
 
 void Sweep::judge_one(const Crossing& c) {
-  const bool seen =
-      c.visible && !solid_.leaves[c.leaf].muted &&
-      climb(c.leaf, [](const SolidNode& node, std::uint32_t count, bool child) {
-        return node.passes(count, child);
-      });
+  const bool seen = c.visible && !solid_.leaves[c.leaf].muted &&
+                    climb(c.leaf, [](const SolidNode& node, std::uint32_t count, bool child) {
+                      return node.passes(count, child);
+                    });
   b_.shown.push_back(seen ? 1 : 0);
   cross(c);
 }
@@ -92,8 +91,8 @@ void Sweep::judge_group(std::size_t begin, std::size_t end) {
     bool seen = c.visible && !solid_.leaves[c.leaf].muted;
     climb(c.leaf, [&](const SolidNode& node, std::uint32_t count, bool child) {
       const SweepBuffers::Verdict& before = b_.before[at++];
-      seen = seen && ((before.passes && node.passes(count, child)) ||
-                      before.value != node.value(count));
+      seen = seen &&
+             ((before.passes && node.passes(count, child)) || before.value != node.value(count));
       return true;
     });
     b_.shown.push_back(seen ? 1 : 0);

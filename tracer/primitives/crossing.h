@@ -18,7 +18,7 @@ struct Crossing {
   std::uint32_t leaf = 0;  // CSG only: which leaf of the program
   std::uint16_t part = 0;  // which face, for normal()
   Side side = Side::enter;
-  bool visible = true;     // false: the inside changes here, but no surface stands here (open caps)
+  bool visible = true;  // false: the inside changes here, but no surface stands here (open caps)
 };
 using Crossings = std::vector<Crossing>;
 

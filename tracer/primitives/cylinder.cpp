@@ -33,8 +33,8 @@ struct Cylinder {
   [[nodiscard]] std::optional<Framed<Tube>> shape() const {
     if (radius == 0) return std::nullopt;
     const double length = glm::distance(base, cap);
-    return Framed<Tube>{
-        {0, open}, frame_along(base, (cap - base) / length, std::abs(radius), length)};
+    return Framed<Tube>{{0, open},
+                        frame_along(base, (cap - base) / length, std::abs(radius), length)};
   }
 };
 

@@ -135,7 +135,9 @@ constexpr PrimitiveType describe(std::string_view name, std::string_view doc) {
   type.doc = doc;
   type.params = detail::param_table<P>;
   if constexpr (requires(const P& p) { p.problem(); }) {
-    type.validate = [](std::span<const double> args) { return detail::from_args<P>(args).problem(); };
+    type.validate = [](std::span<const double> args) {
+      return detail::from_args<P>(args).problem();
+    };
   }
   if constexpr (requires(const P& p) { p.shape(); }) {
     using Shape = decltype(P{}.shape()->shape);

@@ -21,7 +21,9 @@ struct Disc {
   };
 
   static std::vector<Disc> samples() {
-    return {{dvec3(0.0), {0, 1, 0}, 1, 0}, {dvec3(0.0), {1, 2, -3}, 1, 0.3}, {{1, 2, 3}, {0, 0, -2}, -4, 1}};
+    return {{dvec3(0.0), {0, 1, 0}, 1, 0},
+            {dvec3(0.0), {1, 2, -3}, 1, 0.3},
+            {{1, 2, 3}, {0, 0, -2}, -4, 1}};
   }
 
   struct Ring;
@@ -55,9 +57,8 @@ struct Disc::Ring {
   void crossings(const Ray& ray, Crossings& out) const {
     if (!meets_plane(ray)) return;
     const double t = -ray.o.z / ray.d.z;
-    out.push_back({.t = t,
-                   .side = ray.d.z > 0 ? Side::exit : Side::enter,
-                   .visible = in_ring(ray.at(t))});
+    out.push_back(
+        {.t = t, .side = ray.d.z > 0 ? Side::exit : Side::enter, .visible = in_ring(ray.at(t))});
   }
   [[nodiscard]] std::optional<Nearest> nearest(const Ray& ray, double t_from, double t_to) const {
     if (!meets_plane(ray)) return std::nullopt;

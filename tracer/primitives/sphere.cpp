@@ -42,7 +42,9 @@ struct Sphere {
     const dvec3 v = p - center;
     return glm::dot(v, v) < radius * radius;
   }
-  [[nodiscard]] dvec3 normal(dvec3 p, std::uint32_t /*part*/) const { return (p - center) / radius; }
+  [[nodiscard]] dvec3 normal(dvec3 p, std::uint32_t /*part*/) const {
+    return (p - center) / radius;
+  }
 
   [[nodiscard]] std::optional<Sphere> moved(const Transform& m) const {
     const auto scale = even_scale(m.forward);

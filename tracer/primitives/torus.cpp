@@ -59,8 +59,7 @@ struct Torus::Ring {
       const double rho = std::hypot(q.x, q.z);
       if (rho < epsilon) break;
       const double ring = on_spindle(q) ? -major : major;
-      const double slope =
-          2 * ((rho - ring) * (q.x * d.x + q.z * d.z) / rho + q.y * d.y);
+      const double slope = 2 * ((rho - ring) * (q.x * d.x + q.z * d.z) / rho + q.y * d.y);
       const double step = excess(q, ring) / slope;
       if (!(std::abs(step) < 1e-3 * minor)) break;
       s -= step;

@@ -52,16 +52,23 @@ Tube::Pieces Tube::inside_wall(const Ray& ray) const {
     b > 0 ? pieces.add(begin, root) : pieces.add(root, end);
     return pieces;
   }
+  // Tangent lines hit (objects §10.3): silhouettes that pass through pixel centres are drawn
+  // whatever rounding says.
+  const double noise = 4e-15 * std::abs(a) * (p.x * p.x + p.y * p.y + r * r);
   const double discriminant = b * b - a * c;
-  if (!(discriminant >= 0)) {
+  if (!(discriminant >= -noise)) {
     if (a < 0) pieces.add(begin, end);
     return pieces;
   }
-  // Stable roots: q takes the sign that does not cancel, the other root follows from the product.
-  const double q = -(b + std::copysign(std::sqrt(discriminant), b));
-  double t1 = q / a;
-  double t2 = q != 0 ? c / q : t1;
-  if (t1 > t2) std::swap(t1, t2);
+  double t1 = -b / a;
+  double t2 = t1;
+  if (discriminant > 0) {
+    // Stable roots: q takes the sign that does not cancel, the other root follows from the product.
+    const double q = -(b + std::copysign(std::sqrt(discriminant), b));
+    t1 = q / a;
+    t2 = c / q;
+    if (t1 > t2) std::swap(t1, t2);
+  }
   if (a > 0) {
     pieces.add({middle + t1, 0}, {middle + t2, 0});
   } else {
@@ -87,7 +94,7 @@ Tube::Pieces Tube::inside(const Ray& ray) const {
     const auto& [enter, exit] = endless.items[static_cast<std::size_t>(i)];
     const End from = enter.t >= low.t ? enter : low;
     const End to = exit.t <= high.t ? exit : high;
-    if (from.t < to.t && from.t > -infinity && to.t < infinity) result.add(from, to);
+    if (from.t <= to.t && from.t > -infinity && to.t < infinity) result.add(from, to);
   }
   return result;
 }

@@ -28,7 +28,8 @@ Diagnostic error_at(Span span, std::string message, std::string at = {}) {
 
 TEST_CASE("diagnostic: shows claim, place, excerpt, label, help and notes", "[base][diagnostic]") {
   const Page page("\nfinish {\n  phong 0.4 difuse 0.7\n}\n\n\nVarnish()\n");
-  Diagnostic d = error_at(page.span("difuse"), "`finish` has no setting `difuse`", "unknown setting");
+  Diagnostic d =
+      error_at(page.span("difuse"), "`finish` has no setting `difuse`", "unknown setting");
   d.code = Code::unknown_setting;
   d.labels.push_back({page.span("finish"), "in this block"});
   d.help.push_back("did you mean `diffuse`?");
@@ -87,7 +88,8 @@ TEST_CASE("diagnostic: tabs and wide characters keep the caret in place", "[base
         "   |                     ^^^\n");
 }
 
-TEST_CASE("diagnostic: a span over several lines is underlined on its first", "[base][diagnostic]") {
+TEST_CASE("diagnostic: a span over several lines is underlined on its first",
+          "[base][diagnostic]") {
   const Page page("a {\n  b\n}");
   CHECK(render_diagnostic(error_at(page.span("{\n  b\n}"), "m"), page.sources) ==
         "error[D0101]: m\n"

@@ -84,7 +84,7 @@ TEST_CASE("roots: symmetric and sparse quartics", "[base][roots]") {
   for (std::size_t i = 0; i < 4; ++i) {
     CHECK(symmetric.values[i] == Approx(std::array{-2.0, -1.0, 1.0, 2.0}[i]).epsilon(1e-15));
   }
-  CHECK(quartic_roots({1, 0, 0, 0, 0}, -1, 1).count == 0);   // touches
+  CHECK(quartic_roots({1, 0, 0, 0, 0}, -1, 1).count == 0);  // touches
   CHECK(quartic_roots({1, 0, 0, 0, -1}, -5, 5).count == 2);
   CHECK(quartic_roots({1, 0, 2, 0, 1}, -5, 5).count == 0);   // complex pairs, twice
   CHECK(quartic_roots({0, 0, 1, 0, -1}, -5, 5).count == 2);  // leading zeros

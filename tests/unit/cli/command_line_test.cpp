@@ -85,7 +85,8 @@ TEST_CASE("command line: the help names every option", "[cli][help]") {
     CAPTURE(o.keyword);
     CHECK(help.find(std::string(o.keyword) + "=") != std::string::npos);
     CHECK(page.find("`" + std::string(o.keyword) + "=") != std::string::npos);
-    if (!o.long_name.empty()) CHECK(help.find("--" + std::string(o.long_name)) != std::string::npos);
+    if (!o.long_name.empty())
+      CHECK(help.find("--" + std::string(o.long_name)) != std::string::npos);
   }
   for (const char* word : {"Exit codes", "POVINI", "--version", "durer parse"}) {
     CHECK(help.find(word) != std::string::npos);

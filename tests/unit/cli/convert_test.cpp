@@ -18,7 +18,8 @@ scene::Settings scene_with(scene::GammaMode mode, const GammaCurve& curve = {}, 
 TEST_CASE("convert: gamma handling follows the scene's mode", "[cli][convert]") {
   using scene::GammaMode;
   const Settings plain = test::accepted({"File_Gamma=1.8"});
-  const auto explicit_mode = encoding_of(plain, scene_with(GammaMode::explicit_, GammaCurve::power(2.2F)));
+  const auto explicit_mode =
+      encoding_of(plain, scene_with(GammaMode::explicit_, GammaCurve::power(2.2F)));
   CHECK(explicit_mode.encode);
   CHECK(explicit_mode.working == GammaCurve::power(2.2F));
   CHECK(explicit_mode.file == GammaCurve::power(1.8F));
@@ -40,8 +41,9 @@ TEST_CASE("convert: bits, alpha, greyscale and compression", "[cli][convert]") {
 }
 
 TEST_CASE("convert: sampling options reach the renderer", "[cli][convert]") {
-  const auto o = render_options(test::accepted({"+W80", "+H60", "+A0.2", "+R4", "-J0.5", "+AG2", "+BS16", "+WT3"}),
-                                {1, 2, 3, 4});
+  const auto o = render_options(
+      test::accepted({"+W80", "+H60", "+A0.2", "+R4", "-J0.5", "+AG2", "+BS16", "+WT3"}),
+      {1, 2, 3, 4});
   CHECK(o.width == 80);
   CHECK(o.height == 60);
   CHECK(o.antialias);
@@ -59,7 +61,8 @@ TEST_CASE("convert: sampling options reach the renderer", "[cli][convert]") {
 }
 
 TEST_CASE("convert: the interpreter learns what the scene can see", "[cli][convert]") {
-  const auto o = interpreter_options(test::accepted({"+La", "Declare=X=1", "+K0.1", "+MV3.5", "+UA"}));
+  const auto o =
+      interpreter_options(test::accepted({"+La", "Declare=X=1", "+K0.1", "+MV3.5", "+UA"}));
   CHECK(o.include_paths == std::vector<std::string>{"a"});
   CHECK(o.declares.size() == 1);
   CHECK(o.clock == static_cast<double>(0.1F));

@@ -6,8 +6,9 @@ namespace durer::cli {
 
 TEST_CASE("create ini: the file repeats the run", "[cli][ini]") {
   const test::Folder folder;
-  const Settings first = test::accepted({"my scene.pov", "+W80", "+W90", "+A0.1", "+La", "+Lb",
-                                         "Declare=X=1", "Declare=S=\"x y\"", "+FN16", "+GIrun.ini"});
+  const Settings first =
+      test::accepted({"my scene.pov", "+W80", "+W90", "+A0.1", "+La", "+Lb", "Declare=X=1",
+                      "Declare=S=\"x y\"", "+FN16", "+GIrun.ini"});
   REQUIRE_FALSE(create_ini(first));
   const Settings again = test::accepted({"run.ini"});
   CHECK(again.input == "my scene.pov");

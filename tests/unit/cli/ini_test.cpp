@@ -39,7 +39,9 @@ TEST_CASE("ini: words with blanks stand in quotes", "[cli][ini]") {
 
 TEST_CASE("ini: lines before the first header always count, a section when named", "[cli][ini]") {
   const test::Folder folder;
-  folder.file("a.ini", "Width=80\nHeight=60\n[Big]\nWidth=200\n[ small size ]\nWidth=20\n[big]\nHeight=99\n");
+  folder.file(
+      "a.ini",
+      "Width=80\nHeight=60\n[Big]\nWidth=200\n[ small size ]\nWidth=20\n[big]\nHeight=99\n");
   CHECK(accepted({"a.ini"}).width == 80);
   CHECK(accepted({"a[BIG]"}).width == 200);
   CHECK(accepted({"a[BIG]"}).height == 99);

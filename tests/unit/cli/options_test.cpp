@@ -44,34 +44,116 @@ TEST_CASE("options: keywords, switches and GNU names are unique", "[cli][options
 
 TEST_CASE("options: every switch and keyword of the language is known", "[cli][options]") {
   // The table of language §9.2: switch=keyword.
-  for (const char* row :
-       {"I=Input_File_Name", "O=Output_File_Name", "W=Width", "H=Height", "A=Antialias",
-        "AM=Sampling_Method", "R=Antialias_Depth", "J=Jitter", "AG=Antialias_Gamma", "Q=Quality",
-        "D=Display", "P=Pause_When_Done", "F=Output_To_File", "=Output_File_Type",
-        "=Bits_Per_Color", "=Grayscale_Output", "=Compression", "=File_Gamma", "=Display_Gamma",
-        "UA=Output_Alpha", "TH=Dither", "=Dither_Method", "L=Library_Path", "HI=Include_Header",
-        "=Include_Ini", "=Declare", "K=Clock", "KFI=Initial_Frame", "KFF=Final_Frame",
-        "KI=Initial_Clock", "KF=Final_Clock", "SF=Subset_Start_Frame", "EF=Subset_End_Frame",
-        "STP=Frame_Step", "KC=Cyclic_Animation", "KLA=Clockless_Animation", "UF=Field_Render",
-        "UO=Odd_Field", "SC=Start_Column", "EC=End_Column", "SR=Start_Row", "ER=End_Row",
-        "C=Continue_Trace", "WT=Work_Threads", "B=Bounding", "BM=Bounding_Method",
-        "MB=Bounding_Threshold", "UV=Vista_Buffer", "UL=Light_Buffer", "UD=Draw_Vistas",
-        "UR=Remove_Bounds", "SU=Split_Unions", "BS=Render_Block_Size", "RP=Render_Pattern",
-        "RS=Render_Block_Step", "HR=High_Reproducibility", "SP=Preview_Start_Size",
-        "EP=Preview_End_Size", "MV=Version", "MI=Max_Image_Buffer_Memory", "=BSP_MaxDepth",
-        "=BSP_ISectCost", "=BSP_BaseAccessCost", "=BSP_ChildAccessCost", "=BSP_MissChance",
-        "RFI=Radiosity_From_File", "RFO=Radiosity_To_File", "RF=Radiosity_File_Name",
-        "RVP=Radiosity_Vain_Pretrace", "RTR=Real_Time_Raytracing", "GA=All_Console",
-        "GD=Debug_Console", "GF=Fatal_Console", "GR=Render_Console", "GS=Statistic_Console",
-        "GW=Warning_Console", "=All_File", "=Debug_File", "=Fatal_File", "=Render_File",
-        "=Statistic_File", "=Warning_File", "GP=Append_File", "GI=Create_Ini", "WL=Warning_Level",
-        "V=Verbose", "X=Test_Abort", "=Test_Abort_Count", "=Pre_Scene_Command",
-        "=Pre_Frame_Command", "=Post_Scene_Command", "=Post_Frame_Command", "=User_Abort_Command",
-        "=Fatal_Error_Command", "=Pre_Scene_Return", "=Pre_Frame_Return", "=Post_Scene_Return",
-        "=Post_Frame_Return", "=User_Abort_Return", "=Fatal_Error_Return", "=Buffer_Output",
-        "=Buffer_Size", "=Create_Histogram", "=Histogram_Name", "=Histogram_Type",
-        "=Histogram_Grid_Size", "=Palette", "=Video_Mode", "=Antialias_Threshold",
-        "=Jitter_Amount"}) {
+  for (const char* row : {"I=Input_File_Name",
+                          "O=Output_File_Name",
+                          "W=Width",
+                          "H=Height",
+                          "A=Antialias",
+                          "AM=Sampling_Method",
+                          "R=Antialias_Depth",
+                          "J=Jitter",
+                          "AG=Antialias_Gamma",
+                          "Q=Quality",
+                          "D=Display",
+                          "P=Pause_When_Done",
+                          "F=Output_To_File",
+                          "=Output_File_Type",
+                          "=Bits_Per_Color",
+                          "=Grayscale_Output",
+                          "=Compression",
+                          "=File_Gamma",
+                          "=Display_Gamma",
+                          "UA=Output_Alpha",
+                          "TH=Dither",
+                          "=Dither_Method",
+                          "L=Library_Path",
+                          "HI=Include_Header",
+                          "=Include_Ini",
+                          "=Declare",
+                          "K=Clock",
+                          "KFI=Initial_Frame",
+                          "KFF=Final_Frame",
+                          "KI=Initial_Clock",
+                          "KF=Final_Clock",
+                          "SF=Subset_Start_Frame",
+                          "EF=Subset_End_Frame",
+                          "STP=Frame_Step",
+                          "KC=Cyclic_Animation",
+                          "KLA=Clockless_Animation",
+                          "UF=Field_Render",
+                          "UO=Odd_Field",
+                          "SC=Start_Column",
+                          "EC=End_Column",
+                          "SR=Start_Row",
+                          "ER=End_Row",
+                          "C=Continue_Trace",
+                          "WT=Work_Threads",
+                          "B=Bounding",
+                          "BM=Bounding_Method",
+                          "MB=Bounding_Threshold",
+                          "UV=Vista_Buffer",
+                          "UL=Light_Buffer",
+                          "UD=Draw_Vistas",
+                          "UR=Remove_Bounds",
+                          "SU=Split_Unions",
+                          "BS=Render_Block_Size",
+                          "RP=Render_Pattern",
+                          "RS=Render_Block_Step",
+                          "HR=High_Reproducibility",
+                          "SP=Preview_Start_Size",
+                          "EP=Preview_End_Size",
+                          "MV=Version",
+                          "MI=Max_Image_Buffer_Memory",
+                          "=BSP_MaxDepth",
+                          "=BSP_ISectCost",
+                          "=BSP_BaseAccessCost",
+                          "=BSP_ChildAccessCost",
+                          "=BSP_MissChance",
+                          "RFI=Radiosity_From_File",
+                          "RFO=Radiosity_To_File",
+                          "RF=Radiosity_File_Name",
+                          "RVP=Radiosity_Vain_Pretrace",
+                          "RTR=Real_Time_Raytracing",
+                          "GA=All_Console",
+                          "GD=Debug_Console",
+                          "GF=Fatal_Console",
+                          "GR=Render_Console",
+                          "GS=Statistic_Console",
+                          "GW=Warning_Console",
+                          "=All_File",
+                          "=Debug_File",
+                          "=Fatal_File",
+                          "=Render_File",
+                          "=Statistic_File",
+                          "=Warning_File",
+                          "GP=Append_File",
+                          "GI=Create_Ini",
+                          "WL=Warning_Level",
+                          "V=Verbose",
+                          "X=Test_Abort",
+                          "=Test_Abort_Count",
+                          "=Pre_Scene_Command",
+                          "=Pre_Frame_Command",
+                          "=Post_Scene_Command",
+                          "=Post_Frame_Command",
+                          "=User_Abort_Command",
+                          "=Fatal_Error_Command",
+                          "=Pre_Scene_Return",
+                          "=Pre_Frame_Return",
+                          "=Post_Scene_Return",
+                          "=Post_Frame_Return",
+                          "=User_Abort_Return",
+                          "=Fatal_Error_Return",
+                          "=Buffer_Output",
+                          "=Buffer_Size",
+                          "=Create_Histogram",
+                          "=Histogram_Name",
+                          "=Histogram_Type",
+                          "=Histogram_Grid_Size",
+                          "=Palette",
+                          "=Video_Mode",
+                          "=Antialias_Threshold",
+                          "=Jitter_Amount"}) {
     CAPTURE(row);
     const std::string_view letters(row, std::strchr(row, '=') - row);
     const Option* option = option_of_keyword(row + letters.size() + 1);
@@ -117,7 +199,8 @@ TEST_CASE("options: what is not supported yet is an error that names it", "[cli]
     const std::string message = refused({std::string(o.keyword) + "=" + on});
     CHECK(message.find(o.keyword) != std::string::npos);
     CHECK(message.find("not supported yet") != std::string::npos);
-    if (!o.letters.empty()) refused({"+" + std::string(o.letters) + (o.form == Form::flag ? "" : "x")});
+    if (!o.letters.empty())
+      refused({"+" + std::string(o.letters) + (o.form == Form::flag ? "" : "x")});
   }
 }
 
@@ -203,14 +286,16 @@ TEST_CASE("options: curves", "[cli][options]") {
 
 TEST_CASE("options: declarations keep full precision, strings and their order", "[cli][options]") {
   const auto d = accepted({"Declare=A=0.123456789", "declare=B=\"x y\"", "--declare", "A=2",
-                           "Declare= C = 0x10"}).declares;
+                           "Declare= C = 0x10"})
+                     .declares;
   REQUIRE(d.size() == 4);
   CHECK(d[0] == std::pair<std::string, std::variant<double, std::string>>("A", 0.123456789));
   CHECK(std::get<std::string>(d[1].second) == "x y");
   CHECK(std::get<double>(d[2].second) == 2);
   CHECK(d[3].first == "C");
   CHECK(std::get<double>(d[3].second) == 16);
-  for (const char* bad : {"Declare=A", "Declare=A=", "Declare==1", "Declare=1A=1", "Declare=A=1+1"}) {
+  for (const char* bad :
+       {"Declare=A", "Declare=A=", "Declare==1", "Declare=1A=1", "Declare=A=1+1"}) {
     refused({bad});
   }
 }

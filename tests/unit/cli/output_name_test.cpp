@@ -39,7 +39,8 @@ TEST_CASE("output name: a given type keeps foreign extensions", "[cli][output]")
 }
 
 TEST_CASE("output name: without a type, the extension of the name decides", "[cli][output]") {
-  for (const char* given : {"out.exr", "out.jpeg", "out.tiff", "out.tif", "a.b.ppm", "OUT.PNG", "x/o.hdr"}) {
+  for (const char* given :
+       {"out.exr", "out.jpeg", "out.tiff", "out.tif", "a.b.ppm", "OUT.PNG", "x/o.hdr"}) {
     CHECK(name({std::string("+O") + given}) == given);
   }
   CHECK(output_of(test::accepted({"a.pov", "+Oout.exr"})).format->name == "exr");
@@ -55,7 +56,8 @@ TEST_CASE("output name: no name, a folder, or only the extension", "[cli][output
   CHECK(name({"Output_File_Name="}) == "d/s.png");
 }
 
-TEST_CASE("output name: a given name without a folder goes to the working folder", "[cli][output]") {
+TEST_CASE("output name: a given name without a folder goes to the working folder",
+          "[cli][output]") {
   CHECK(name({"+Oout"}) == "out.png");
   CHECK(name({"+Oout."}) == "out.png");
   CHECK(name({"+Oo/out"}) == "o/out.png");

@@ -66,8 +66,9 @@ TEST_CASE("program: errors end with 1 and write nothing", "[cli][program]") {
   const test::Folder folder;
   folder.file("a.pov", scene);
   folder.file("bad.pov", "sphere { 0, 1\n");
-  for (const char* words : {"", "nowhere.pov", "bad.pov", "a.pov +W0", "a.pov --widht=3", "a.pov +Q2",
-                            "a.pov +Ono/such/folder.png", "a.pov +SC900", "a.pov +KFI1 +KFF5"}) {
+  for (const char* words :
+       {"", "nowhere.pov", "bad.pov", "a.pov +W0", "a.pov --widht=3", "a.pov +Q2",
+        "a.pov +Ono/such/folder.png", "a.pov +SC900", "a.pov +KFI1 +KFF5"}) {
     const Run r = run(words);
     CAPTURE(words, r.err);
     CHECK(r.code == 1);

@@ -47,9 +47,13 @@ TEST_CASE("progress: the bar fits the terminal", "[cli][progress]") {
   }
 }
 
-TEST_CASE("progress: one changing line on a terminal, few plain lines elsewhere", "[cli][progress]") {
-  const std::vector<tracer::Progress> moments = {
-      {1, 100, 100, 0.05}, {10, 100, 1000, 0.2}, {20, 100, 2000, 0.25}, {50, 100, 5000, 12}, {60, 100, 6000, 13}};
+TEST_CASE("progress: one changing line on a terminal, few plain lines elsewhere",
+          "[cli][progress]") {
+  const std::vector<tracer::Progress> moments = {{1, 100, 100, 0.05},
+                                                 {10, 100, 1000, 0.2},
+                                                 {20, 100, 2000, 0.25},
+                                                 {50, 100, 5000, 12},
+                                                 {60, 100, 6000, 13}};
   const std::string terminal = written(60, moments);
   CHECK(terminal.find("10 %") != std::string::npos);
   CHECK(terminal.find("20 %") == std::string::npos);  // too soon after the last

@@ -16,7 +16,7 @@ struct Result {
   Request request = Request::render;
   std::vector<std::string> errors;  // message, then its help lines
   std::vector<std::string> warnings;
-  std::vector<Place> places;        // of the errors
+  std::vector<Place> places;  // of the errors
 };
 
 inline Result read(const std::vector<std::string>& words, const char* povini = nullptr) {

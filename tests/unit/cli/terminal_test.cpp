@@ -78,7 +78,7 @@ TEST_CASE("terminal: sixel is listed in the device attributes", "[cli][terminal]
 
 TEST_CASE("terminal: kitty gets a PNG in chunks", "[cli][terminal]") {
   const auto small = kitty(picture(1, 1, {red}), {}, 80);
-  CHECK(small.starts_with("\x1b_Gf=100,a=T,m=0;iVBORw0KGgo"));  // base64 of the PNG signature
+  CHECK(small.starts_with("\x1b_Gf=100,a=T,q=2,m=0;iVBORw0KGgo"));  // base64 of the PNG signature
   CHECK(small.ends_with("\x1b\\\n"));
   image::Image noise(200, 200);
   std::uint32_t state = 1;
@@ -87,7 +87,7 @@ TEST_CASE("terminal: kitty gets a PNG in chunks", "[cli][terminal]") {
     v = static_cast<float>(state >> 8) / 16777216.0F;
   }
   const auto large = kitty(noise, {}, 80);
-  CHECK(large.starts_with("\x1b_Gf=100,a=T,m=1;"));
+  CHECK(large.starts_with("\x1b_Gf=100,a=T,q=2,m=1;"));
   CHECK(count(large, "\x1b_Gm=1;") > 3);
   CHECK(count(large, "m=0;") == 1);
 }

@@ -50,9 +50,15 @@ TEST_CASE("window: the columns that POV-Ray renders of 100", "[cli][window]") {
     std::vector<std::string> words;
     int first, last;  // counted from 1
   };
-  for (const Case& c : {Case{{"+SC0.29"}, 29, 100}, {{"+EC0.29"}, 1, 28}, {{"+EC0.57"}, 1, 56},
-                        {{"+SC0.58"}, 58, 100}, {{"+EC1.5"}, 1, 1}, {{"+SC2.7"}, 2, 100},
-                        {{"+SC0.999"}, 100, 100}, {{"+SC3.2", "+EC3.9"}, 3, 3}, {{"+SC1"}, 1, 100}}) {
+  for (const Case& c : {Case{{"+SC0.29"}, 29, 100},
+                        {{"+EC0.29"}, 1, 28},
+                        {{"+EC0.57"}, 1, 56},
+                        {{"+SC0.58"}, 58, 100},
+                        {{"+EC1.5"}, 1, 1},
+                        {{"+SC2.7"}, 2, 100},
+                        {{"+SC0.999"}, 100, 100},
+                        {{"+SC3.2", "+EC3.9"}, 3, 3},
+                        {{"+SC1"}, 1, 100}}) {
     CAPTURE(c.words);
     std::vector<std::string> words = c.words;
     words.emplace_back("+W100");

@@ -134,8 +134,8 @@ TEST_CASE("noise: every instruction set and the batch form give the same bits", 
     std::vector<double> many(points.size());
     noise(points, g, many);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const double v = base.noise(points[i], g);
-      if (!same(v, wide->noise(points[i], g)) || !same(v, many[i]) ||
+      const double v = base.noise(points[i].x, points[i].y, points[i].z, g);
+      if (!same(v, wide->noise(points[i].x, points[i].y, points[i].z, g)) || !same(v, many[i]) ||
           !same(base.turbulence(points[i], {}, g), wide->turbulence(points[i], {}, g))) {
         CAPTURE(g, i);
         FAIL("differs");

@@ -24,7 +24,8 @@ TEST_CASE("declare: any other value follows as items", "[grammar][declare]") {
   CHECK(dump("#declare C = rgb <1,0,0>;") == "#declare C=none :rgb <1 0 0> ';'");
   CHECK(dump("#declare O = sphere { 0, 1 }") == "#declare O=none :sphere {0 ',' 1}");
   CHECK(dump("#declare A = B #if(c) + 1 #end;") == "#declare A=none B #if (c){(pos 1)} ';'");
-  CHECK(dump("#declare A = #if(c) 1; #else 2; #end") == "#declare A=none #if (c){1 ';'} else {2 ';'}");
+  CHECK(dump("#declare A = #if(c) 1; #else 2; #end") ==
+        "#declare A=none #if (c){1 ';'} else {2 ';'}");
   CHECK(dump("#declare A = M(1) texture {T}") == "#declare A=none M(1) :texture {T}");
   CHECK(dump("#declare A = 2 * #if(c) 1 #end;") == "#declare A=none 2 '*' #if (c){1} ';'");
   CHECK(dump("#declare F = function(x) {x}") == "#declare F=none :function (x) {x}");

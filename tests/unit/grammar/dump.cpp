@@ -5,8 +5,8 @@
 namespace durer::test {
 namespace {
 
-constexpr std::string_view op_names[] = {"+", "-", "*", "/",   "<",   "<=", "=", "!=",
-                                         ">=", ">", "&", "|", "neg", "pos", "!"};
+constexpr std::string_view op_names[] = {
+    "+", "-", "*", "/", "<", "<=", "=", "!=", ">=", ">", "&", "|", "neg", "pos", "!"};
 
 class Dumper {
  public:
@@ -36,7 +36,9 @@ class Dumper {
   }
 
   std::string show(const ast::Number& n) const { return fmt::format("{:g}", n.value); }
-  std::string show(const ast::String& n) const { return fmt::format("\"{}\"", t_.strings[n.index]); }
+  std::string show(const ast::String& n) const {
+    return fmt::format("\"{}\"", t_.strings[n.index]);
+  }
   std::string show(const ast::Name& n) const { return name(n.name); }
   std::string show(const ast::Paren& n) const { return fmt::format("({})", expr(n.inner)); }
   std::string show(const ast::Vector& n) const {
@@ -52,9 +54,12 @@ class Dumper {
     return fmt::format("(? {} {} {})", expr(n.condition), expr(n.yes), expr(n.no));
   }
   std::string show(const ast::Call& n) const {
-    return fmt::format("{}({})", expr(n.callee), n.args.count == 0 ? "" : list(n.args, " ", "").substr(1));
+    return fmt::format("{}({})", expr(n.callee),
+                       n.args.count == 0 ? "" : list(n.args, " ", "").substr(1));
   }
-  std::string show(const ast::Index& n) const { return name(n.name) + list(n.subscripts, "[", "]"); }
+  std::string show(const ast::Index& n) const {
+    return name(n.name) + list(n.subscripts, "[", "]");
+  }
   std::string show(const ast::Member& n) const {
     return fmt::format("{}.{}", expr(n.object), name(n.member));
   }
@@ -62,8 +67,10 @@ class Dumper {
     switch (n.kind) {
       case ast::OpenGroup::Kind::paren: return fmt::format("open({})", items(n.items));
       case ast::OpenGroup::Kind::vector: return fmt::format("open<{}>", items(n.items));
-      case ast::OpenGroup::Kind::call: return fmt::format("open {}({})", expr(n.callee), items(n.items));
-      case ast::OpenGroup::Kind::index: return fmt::format("open {}{}", name(n.name), items(n.items));
+      case ast::OpenGroup::Kind::call:
+        return fmt::format("open {}({})", expr(n.callee), items(n.items));
+      case ast::OpenGroup::Kind::index:
+        return fmt::format("open {}{}", name(n.name), items(n.items));
     }
     return {};
   }

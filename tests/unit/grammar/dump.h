@@ -1,4 +1,5 @@
-// A tree in a few characters, for tests: operators in prefix form, words with a colon, marks quoted.
+// A tree in a few characters, for tests: operators in prefix form, words with a colon, marks
+// quoted.
 #pragma once
 
 #include <string>

@@ -6,7 +6,8 @@ using durer::test::dump;
 using durer::test::Parsed;
 namespace ast = durer::ast;
 
-TEST_CASE("expressions: products bind tighter than sums, both to the left", "[grammar][expressions]") {
+TEST_CASE("expressions: products bind tighter than sums, both to the left",
+          "[grammar][expressions]") {
   CHECK(dump("1-2-3") == "(- (- 1 2) 3)");
   CHECK(dump("1+2*3/4") == "(+ 1 (/ (* 2 3) 4))");
   CHECK(dump("(1+2)*3") == "(* ((+ 1 2)) 3)");
@@ -146,8 +147,7 @@ TEST_CASE("expressions: function bodies are full and bind `&` tighter", "[gramma
   CHECK(dump("function(x){x=1 | x=2 & x>5}") == ":function (x) {(| (= x 1) (& (= x 2) (> x 5)))}");
   CHECK(dump("function(x,y){a & b | c & d & e | f}") ==
         ":function open(x ',' y) {(| (| (& a b) (& (& c d) e)) f)}");
-  CHECK(dump("function{f(a|b&c)+(a|b&c)}") ==
-        ":function {(+ f((| a (& b c))) ((| a (& b c))))}");
+  CHECK(dump("function{f(a|b&c)+(a|b&c)}") == ":function {(+ f((| a (& b c))) ((| a (& b c))))}");
   CHECK(dump("function{x<y}") == ":function {(< x y)}");
   CHECK(dump("function 9, 9 {x|y&z}") == ":function 9 ',' 9 {(| x (& y z))}");
 }
@@ -157,7 +157,8 @@ TEST_CASE("expressions: function bodies may hold blocks and directives", "[gramm
   CHECK(dump("function{pattern{bozo scale (1|0&0)}}") ==
         ":function {:pattern {:bozo :scale ((& (| 1 0) 0))}}");
   CHECK(dump("function{#local a=1; a+x}") == ":function {#local a=1; (+ a x)}");
-  CHECK(dump("function{#if(1|0&0) x #else y #end}") == ":function {#if ((& (| 1 0) 0)){x} else {y}}");
+  CHECK(dump("function{#if(1|0&0) x #else y #end}") ==
+        ":function {#if ((& (| 1 0) 0)){x} else {y}}");
 }
 
 TEST_CASE("expressions: spans cover the text without white space around", "[grammar][spans]") {

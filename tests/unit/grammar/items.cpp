@@ -7,8 +7,7 @@ using durer::test::Parsed;
 
 TEST_CASE("items: blocks are words and braces", "[grammar][items]") {
   CHECK(dump("sphere { 0, 1 pigment { rgb x } }") == ":sphere {0 ',' 1 :pigment {:rgb x}}");
-  CHECK(dump("array[2][2] { {1,2}, {3,4}, }") ==
-        ":array [2] [2] {{1 ',' 2} ',' {3 ',' 4} ','}");
+  CHECK(dump("array[2][2] { {1,2}, {3,4}, }") == ":array [2] [2] {{1 ',' 2} ',' {3 ',' 4} ','}");
   CHECK(dump("finish { Shine phong 1 }") == ":finish {Shine :phong 1}");
 }
 
@@ -44,7 +43,8 @@ TEST_CASE("items: marks that nothing explains are errors outside of bodies", "[g
   CHECK(diagnose("sphere { 0, 1 @ }") ==
         "D0101 1:15 expected something for this block or `}`, found `@`");
   CHECK(diagnose("sphere { 0, 1 + }") == "D0101 1:17 expected an operand after `+`, found `}`");
-  CHECK(diagnose("A @ B") == "D0101 1:3 expected an object, a directive or the end of the file, found `@`");
+  CHECK(diagnose("A @ B") ==
+        "D0101 1:3 expected an object, a directive or the end of the file, found `@`");
 }
 
 TEST_CASE("items: an include may begin and end within an expression", "[grammar][items]") {
@@ -56,8 +56,9 @@ TEST_CASE("items: in a directive body nothing is an error yet", "[grammar][recov
   CHECK(dump("#if (0) don't @ ` ? \\ #end") == "#if (0){don ''' t '@' '`' '?' '\\'}");
   CHECK(dump("#if (c) < 5 #end") == "#if (c){'<' 5}");
   CHECK(dump("#macro M() sphere { <0, 1 } #end") == "#macro M(){:sphere {'<' 0 ',' 1}}");
-  CHECK(dump("#if (0) #foo #declare = 3; #if xx 3 #end #while #end #macro #end #end") ==
-        "#if (0){#unknown foo #unknown declare '=' 3 ';' #unknown if #unknown while #unknown macro}");
+  CHECK(
+      dump("#if (0) #foo #declare = 3; #if xx 3 #end #while #end #macro #end #end") ==
+      "#if (0){#unknown foo #unknown declare '=' 3 ';' #unknown if #unknown while #unknown macro}");
   CHECK(dump("#if (0) #switch (1) 5 #case (1) #end #end") == "#if (0){#unknown switch}");
   CHECK(dump("#if (0) #declare A = <1, 2; #end") == "#if (0){#declare A=none '<' 1 ',' 2 ';'}");
 }

@@ -34,10 +34,10 @@ struct Nest {
 TEST_CASE("limits: two hundred levels parse in linear time", "[grammar][limits]") {
   const auto n = GENERATE(Nest{"(", ")"}, Nest{"<1,", ">"}, Nest{"f(", ")"}, Nest{"sin(2*(", "))"},
                           Nest{"A[", "]"}, Nest{"union {", "}"}, Nest{"#if (1) ", " #end"},
-                          Nest{"(2 * #if (1) ", " #end)"}, Nest{"f(a < ", ")"}, Nest{"(1 ? ", " : 2)"},
-                          Nest{"-", ""}, Nest{"#macro M() < #if (1) ", " #end #end"},
-                          Nest{"#if (1) {(", "#end"}, Nest{"#if (1) <(1 @ ", "#end"},
-                          Nest{"< #if (1) ", " #end >"});
+                          Nest{"(2 * #if (1) ", " #end)"}, Nest{"f(a < ", ")"},
+                          Nest{"(1 ? ", " : 2)"}, Nest{"-", ""},
+                          Nest{"#macro M() < #if (1) ", " #end #end"}, Nest{"#if (1) {(", "#end"},
+                          Nest{"#if (1) <(1 @ ", "#end"}, Nest{"< #if (1) ", " #end >"});
   CAPTURE(n.open);
   const std::string source = nested(200, n.open, n.close);
   CHECK(Parsed("#if (0) " + source + " #end").tree != nullptr);
@@ -67,9 +67,10 @@ TEST_CASE("limits: errors do not flood", "[grammar][limits]") {
 }
 
 TEST_CASE("limits: hostile repetitions stay linear", "[grammar][limits]") {
-  const auto text = GENERATE(std::string_view("< "), std::string_view("<1 "), std::string_view("#if (1) < #end "),
-                             std::string_view("(1 ? "), std::string_view("/* "), std::string_view("\" "),
-                             std::string_view("a.b "), std::string_view("#declare A = "));
+  const auto text =
+      GENERATE(std::string_view("< "), std::string_view("<1 "), std::string_view("#if (1) < #end "),
+               std::string_view("(1 ? "), std::string_view("/* "), std::string_view("\" "),
+               std::string_view("a.b "), std::string_view("#declare A = "));
   CAPTURE(text);
   CHECK(seconds(times(20000, text)) < 3.0);
   CHECK(seconds("#macro M() " + times(20000, text) + " #end") < 3.0);

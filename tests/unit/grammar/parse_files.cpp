@@ -1,6 +1,6 @@
 // durer_parse_files [--round-trip] [--skip NAME] FILE|FOLDER…: parses every file (in folders: every
-// scene file), prints diagnostics and the time it took. With --round-trip the printed tree is parsed
-// again and must be equal.
+// scene file), prints diagnostics and the time it took. With --round-trip the printed tree is
+// parsed again and must be equal.
 #include <fmt/format.h>
 
 #include <algorithm>

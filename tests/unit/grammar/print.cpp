@@ -13,7 +13,8 @@ TEST_CASE("print: parsing the printed text gives an equal tree", "[grammar][prin
       "#if (a<b & c!=d | !e) 1 #elseif (x>=y) 2 #else 3 #end #ifdef(A) #end #ifndef(B[1]) #end",
       "#switch(a) #case(1) b #break #range(2,3) c #else d #end",
       "#for (I,0,10,2) #end #for (I,0,1) a #end #while(1) #end #macro M(a,b) a+b #end",
-      "#version 3.7; -1 #include \"f\" #debug str(1,2,3) #default {} #fopen F \"f\" read #read(F,A)",
+      "#version 3.7; -1 #include \"f\" #debug str(1,2,3) #default {} #fopen F \"f\" read "
+      "#read(F,A)",
       "<1, #if(c) 2 #else 3 #end> (1 #if(c) +2 #end) f(rgb 1,) A[#if(c) 1 #end][2] f(,)",
       "#macro B(M) #if(M) merge { #else union { #end a ( ] < 3 <= >= != #foo #if x #end #end",
       "function(x,y) { x | y & f(x,y).red ? 1 : 2 } (a ? b : c ? d : e)",

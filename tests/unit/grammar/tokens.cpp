@@ -31,7 +31,8 @@ TEST_CASE("tokens: strings keep everything but escaped quotes", "[grammar][token
   CHECK(dump("\"\xC3\xA9\"") == "\"\xC3\xA9\"");
 }
 
-TEST_CASE("tokens: unterminated strings and comments point at their beginning", "[grammar][tokens]") {
+TEST_CASE("tokens: unterminated strings and comments point at their beginning",
+          "[grammar][tokens]") {
   CHECK(diagnose("a\n  \"bc\n") == "D0104 2:3 no matching `\"`");
   CHECK(diagnose(R"("C:\dir\" )") == "D0104 1:1 no matching `\"`");
   CHECK(diagnose("\"a\\\nb\"") == "D0104 1:1 no matching `\"`");
@@ -54,7 +55,8 @@ TEST_CASE("tokens: NUL and Control-Z are white space", "[grammar][tokens]") {
   CHECK(dump(std::string("a\0b\x1A", 4)) == "a b");
 }
 
-TEST_CASE("tokens: bytes that are not ASCII stand only in strings and comments", "[grammar][tokens]") {
+TEST_CASE("tokens: bytes that are not ASCII stand only in strings and comments",
+          "[grammar][tokens]") {
   CHECK(dump("// \xE9\na") == "a");
   CHECK(diagnose("a \xC3\xA9").substr(0, 9) == "D0103 1:3");
   CHECK(diagnose("#if (0) \xE9 #end").substr(0, 9) == "D0103 1:9");
@@ -81,7 +83,9 @@ TEST_CASE("vocabulary: words know their class", "[grammar][vocabulary]") {
   using durer::grammar::WordClass;
   const durer::grammar::SymbolTable symbols;
   CHECK(durer::grammar::words::count_ == 498);
-  const auto word_class = [&](std::string_view text) { return symbols.word_class(symbols.find(text)); };
+  const auto word_class = [&](std::string_view text) {
+    return symbols.word_class(symbols.find(text));
+  };
   CHECK(word_class("sphere") == WordClass::keyword);
   CHECK(word_class("normal") == WordClass::keyword);
   CHECK(word_class("red") == WordClass::keyword);
@@ -93,7 +97,8 @@ TEST_CASE("vocabulary: words know their class", "[grammar][vocabulary]") {
   CHECK(symbols.find("image_width") == durer::grammar::SymbolTable::none);
 }
 
-TEST_CASE("vocabulary: names are interned once, after the reserved words", "[grammar][vocabulary]") {
+TEST_CASE("vocabulary: names are interned once, after the reserved words",
+          "[grammar][vocabulary]") {
   durer::grammar::SymbolTable symbols;
   const auto id = symbols.intern("Varnish");
   CHECK(id == durer::grammar::words::count_);

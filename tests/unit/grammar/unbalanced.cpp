@@ -9,7 +9,8 @@ using durer::test::Parsed;
 TEST_CASE("unbalanced: branches open alternative blocks", "[grammar][unbalanced]") {
   CHECK(dump("#macro B(M) #if(M) merge { #else union { #end a b } #end") ==
         "#macro B(M){#if (M){:merge '{'} else {:union '{'} a b '}'}");
-  CHECK(dump("#if(M) merge { #else union { #end a }") == "#if (M){:merge '{'} else {:union '{'} a '}'");
+  CHECK(dump("#if(M) merge { #else union { #end a }") ==
+        "#if (M){:merge '{'} else {:union '{'} a '}'");
   CHECK(dump("#switch(M) #case(1) merge { #break #else union { #end a }") ==
         "#switch (M) case (1){:merge '{' #break} else{:union '{'} a '}'");
 }

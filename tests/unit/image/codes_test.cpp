@@ -58,8 +58,7 @@ TEST_CASE("codes: without gamma handling numbers go out unchanged, whatever File
 
 TEST_CASE("codes: a linear file keeps the working numbers of assumed_gamma 1", "[image][codes]") {
   const Image image = plain(1, 1, .033112F, .214038F, .60383F);
-  check_fractions(first_pixel(image, "png", encoding_for({}, {}, 16)),
-                  {.033112, .214038, .60383});
+  check_fractions(first_pixel(image, "png", encoding_for({}, {}, 16)), {.033112, .214038, .60383});
 }
 
 TEST_CASE("codes: 8 and 6 bits round as the oracle does", "[image][codes]") {

@@ -77,7 +77,8 @@ TEST_CASE("formats: a picture comes back as it was written", "[image][formats]")
         difference = std::abs(stored.values[i] - linear) - (f->name == "hdr" ? 1.0 / 128 : 1e-3);
       } else {
         difference = std::abs(stored.values[i] - std::round(wanted * 255.0F));
-        if (f->name == "jpeg") difference -= 100;  // noise is its worst case; the means count, below
+        if (f->name == "jpeg")
+          difference -= 100;  // noise is its worst case; the means count, below
       }
       if (difference > 0) ++wrong;
     }

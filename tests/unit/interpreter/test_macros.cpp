@@ -30,6 +30,13 @@ TEST_CASE("macros: a body of statements ends in a value", "[interpreter][macros]
   CHECK(printed("#macro T(s) concat(s,\"!\") #end #debug T(\"hi\")") == "hi!");
 }
 
+TEST_CASE("macros: what follows the value of a declare waits for it", "[interpreter][macros]") {
+  CHECK(printed("#version 3.1; #macro F() 5 #end #declare A = F()\n#if (A = 5) #debug \"yes\" #end") == "yes");
+  CHECK(printed("#macro F() #local R = 5; R #end #declare A = F();\n#if (A = 5) #debug \"yes\" #end") == "yes");
+  CHECK(printed("#macro F() #local R = 5; R; #end #macro G() #local A = F()\n#if (A = 5) #debug \"yes\" #end #end G()") == "yes");
+  CHECK(printed("#macro F() #local R = 5; R; #end #declare A = F()\n#if (A = 5) #debug \"yes\" #end") == "yes");
+}
+
 TEST_CASE("macros: names are passed by reference", "[interpreter][macros]") {
   CHECK(printed("#macro M(P) #local P=6; #end #declare A=1; M(A) #debug str(A,0,0)") == "6");
   CHECK(printed("#macro M(P) #declare P=6; #end #declare A=1; M(A) #debug str(A,0,0)") == "6");

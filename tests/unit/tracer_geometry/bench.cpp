@@ -40,7 +40,8 @@ int primary_and_shadow(const Geometry& geometry, dvec3 eye, dvec3 light, int& ra
       const double distance =
           std::sqrt(to_light.x * to_light.x + to_light.y * to_light.y + to_light.z * to_light.z);
       ++rays;
-      if (!geometry.occluded({hit.p, to_light / distance}, t_shadow, distance - t_shadow, *scratch)) {
+      if (!geometry.occluded({hit.p, to_light / distance}, t_shadow, distance - t_shadow,
+                             *scratch)) {
         ++lit;
       }
     }
@@ -58,7 +59,8 @@ void measure(const char* what, const Geometry& geometry, dvec3 eye, dvec3 light)
     const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     best = std::max(best, rays / seconds);
   }
-  WARN(what << ": " << best / 1e6 << " million rays per second of CPU time, " << lit << " lit pixels");
+  WARN(what << ": " << best / 1e6 << " million rays per second of CPU time, " << lit
+            << " lit pixels");
   CHECK(lit > 0);
 }
 

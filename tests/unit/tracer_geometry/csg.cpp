@@ -180,7 +180,8 @@ TEST_CASE("csg: random solids show the surfaces that the definition shows", "[tr
         REQUIRE(hit.t == Approx(expected.t).epsilon(1e-9));
         REQUIRE(hit.leaf == expected.leaf);
         REQUIRE(std::abs(hit.n.x - expected.n.x) + std::abs(hit.n.y - expected.n.y) +
-                    std::abs(hit.n.z - expected.n.z) < 1e-6);
+                    std::abs(hit.n.z - expected.n.z) <
+                1e-6);
         t_from = hit.t + 1e-9 * std::max(1.0, hit.t);
         ++compared;
       }

@@ -28,8 +28,8 @@ SceneBuilder jumble(std::uint64_t seed, int count, double half, dvec3 middle) {
     }
     const auto first = b.add(random_primitive());
     const auto second = b.add(random_primitive());
-    b.show(b.csg(i % 2 == 0 ? scene::NodeKind::difference : scene::NodeKind::merge,
-                 {first, second}));
+    b.show(
+        b.csg(i % 2 == 0 ? scene::NodeKind::difference : scene::NodeKind::merge, {first, second}));
   }
   return b;
 }

@@ -31,8 +31,9 @@ const dvec3 endless_hi(1e10);
 }  // namespace
 
 TEST_CASE("extent: primitives", "[tracer][extent]") {
-  check_extent(primitive("sphere", {0, 0, 0, 1}, Transform::scale({1, 2, 1}).then(turned(0, 0, 45))),
-               {-2.121320248, -2.121320248, -1}, {2.121320248, 2.121320248, 1});
+  check_extent(
+      primitive("sphere", {0, 0, 0, 1}, Transform::scale({1, 2, 1}).then(turned(0, 0, 45))),
+      {-2.121320248, -2.121320248, -1}, {2.121320248, 2.121320248, 1});
   check_extent(primitive("sphere", {0, 0, 0, 1}, turned(0, 0, 45).then(Transform::scale(dvec3(2)))),
                dvec3(-2), dvec3(2));
   check_extent(primitive("cylinder", {0, 0, 0, 1, 1, 0, 0.5, 0}), {-0.5, -0.5, -0.707106769},
@@ -40,16 +41,16 @@ TEST_CASE("extent: primitives", "[tracer][extent]") {
   check_extent(primitive("cone", {0, 0, 0, 1, 0, 2, 0, 0.3, 0}), {-1, 0, -1}, {1, 2, 1});
   check_extent(primitive("cone", {0, 0, 0, 0.3, 1, 2, 0, 1, 0}),
                {-1.199999928, -0.599999964, -1.341640830}, {2.200000286, 2.600000143, 1.341640830});
-  check_extent(primitive("torus", {1, 0.25}, turned(30, 0, 0)),
-               {-1.25, -0.841506362, -1.207531810}, {1.25, 0.841506362, 1.207531810});
-  check_extent(primitive("disc", {0, 0, 0, 1, 1, 0, 1, 0}), {-1.000707150, -1.000707150, -1.414213538},
-               {1.000707150, 1.000707150, 1.414213538});
+  check_extent(primitive("torus", {1, 0.25}, turned(30, 0, 0)), {-1.25, -0.841506362, -1.207531810},
+               {1.25, 0.841506362, 1.207531810});
+  check_extent(primitive("disc", {0, 0, 0, 1, 1, 0, 1, 0}),
+               {-1.000707150, -1.000707150, -1.414213538}, {1.000707150, 1.000707150, 1.414213538});
   check_extent(primitive("plane", {0, 1, 0, 1}), endless_lo, endless_hi);
   check_extent(primitive("box", {-1, -1, -1, 1, 1, 1}, turned(0, 0, 45)),
                {-1.414213538, -1.414213538, -1}, {1.414213538, 1.414213538, 1});
-  check_extent(primitive("box", {0, 0, 0, 1 / 3.0, 1 / 3.0, 1 / 3.0},
-                         Transform::translate(dvec3(0.1))),
-               dvec3(0.100000001), dvec3(0.433333337));
+  check_extent(
+      primitive("box", {0, 0, 0, 1 / 3.0, 1 / 3.0, 1 / 3.0}, Transform::translate(dvec3(0.1))),
+      dvec3(0.100000001), dvec3(0.433333337));
 }
 
 TEST_CASE("extent: solids", "[tracer][extent]") {

@@ -23,9 +23,9 @@ Transform rotate(double x, double y, double z) { return Transform::rotate_deg({x
 TEST_CASE("sphere: the oracle's hit", "[tracer][sphere]") {
   check_hit(only(primitive("sphere", {1, 2, 3, 2})), {1.5, 2.5, -10}, {1.5, 2.5, 1.1291713},
             {0.25, 0.25, -0.935414});
-  check_hit(only(primitive("sphere", {0, 0, 0, 1},
-                           Transform::scale({1, 2, 1}).then(rotate(0, 0, 30)))),
-            {0.3, 0.5, -10}, {0.3, 0.5, -0.8485706}, {0.409214, 0.318579, -0.855015});
+  check_hit(
+      only(primitive("sphere", {0, 0, 0, 1}, Transform::scale({1, 2, 1}).then(rotate(0, 0, 30)))),
+      {0.3, 0.5, -10}, {0.3, 0.5, -0.8485706}, {0.409214, 0.318579, -0.855015});
 }
 
 TEST_CASE("box: the oracle's hit", "[tracer][box]") {

@@ -8,7 +8,8 @@ long double distance_to_torus(const Ray& ray, double t, double major, double min
   const long double x = static_cast<long double>(ray.o.x) + static_cast<long double>(t) * ray.d.x;
   const long double y = static_cast<long double>(ray.o.y) + static_cast<long double>(t) * ray.d.y;
   const long double z = static_cast<long double>(ray.o.z) + static_cast<long double>(t) * ray.d.z;
-  return hypotl(hypotl(x, z) - static_cast<long double>(major), y) - static_cast<long double>(minor);
+  return hypotl(hypotl(x, z) - static_cast<long double>(major), y) -
+         static_cast<long double>(minor);
 }
 
 }  // namespace
@@ -25,7 +26,8 @@ TEST_CASE("torus: hits lie on the surface for thick and thin rings, near and far
   for (int i = 0; i < 20000; ++i) {
     // Aim at a point of the ring, give or take its thickness.
     const double angle = uniform(random, 0, 6.3);
-    const dvec3 target = dvec3(std::cos(angle), 0, std::sin(angle)) + 1.5 * minor * direction(random);
+    const dvec3 target =
+        dvec3(std::cos(angle), 0, std::sin(angle)) + 1.5 * minor * direction(random);
     const dvec3 d = direction(random);
     const Ray ray{target - away * d, d};
     Hit hit;
