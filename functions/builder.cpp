@@ -323,6 +323,22 @@ Function make_external_function(const External& external) {
   });
 }
 
+Function make_transform_function(const Affine& map) {
+  return whole(3, [&](FunctionBuilder& b, const std::vector<Value>& p) {
+    std::vector<Value> image;
+    for (int k = 0; k < 3; ++k) {
+      const auto term = [&](std::size_t i, double m) {
+        const Value factor = b.constant(m);
+        return FunctionBuilder::group(m == 0 ? factor : b.op(Op::multiply, p[i], factor));
+      };
+      const Value xy = b.op(Op::add, term(0, map.x[k]), term(1, map.y[k]));
+      const Value xyz = b.op(Op::add, xy, term(2, map.z[k]));
+      image.push_back(b.op(Op::add, xyz, FunctionBuilder::group(b.constant(map.t[k]))));
+    }
+    return image;
+  });
+}
+
 Function make_spline_function(std::shared_ptr<const Spline> spline) {
   External e;
   e.name = "spline";

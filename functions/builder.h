@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/transform.h"
 #include "functions/spline.h"
 #include "functions/tape.h"
 
@@ -149,6 +150,8 @@ class FunctionBuilder {
 [[nodiscard]] Function make_internal_function(int number);
 /// A whole function from outside, e.g. a pattern or pigment.
 [[nodiscard]] Function make_external_function(const External& external);
+/// The image of a point under an affine map: three components.
+[[nodiscard]] Function make_transform_function(const Affine& map);
 /// A spline of one parameter; `dimension` components.
 [[nodiscard]] Function make_spline_function(std::shared_ptr<const Spline> spline);
 

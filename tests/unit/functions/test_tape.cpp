@@ -348,6 +348,21 @@ TEST_CASE("externals: components, members, batches without a batch form", "[func
   CHECK(all[4] == 2.5);
 }
 
+TEST_CASE("transform functions: three components, exact bounds", "[functions][tape]") {
+  const Affine map = Transform::scale({2, 3, 4}).then(Transform::translate({5, 6, 7})).forward;
+  const Function f = make_transform_function(map);
+  REQUIRE(f.components() == 3);
+  Workspace w;
+  double image[3];
+  evaluate(f, std::array{1.0, -1.0, 0.5}, image, w);
+  CHECK(image[0] == 7);
+  CHECK(image[1] == 3);
+  CHECK(image[2] == 9);
+  const Interval r = evaluate_interval(f, std::array<Interval, 3>{Interval(0, 1), 0.0, 0.0}, w);
+  CHECK(r.lo == 5);
+  CHECK(r.hi == 7);
+}
+
 TEST_CASE("loops: a hopeless one ends when its budget is spent", "[functions][tape]") {
   Workspace w;
   w.loop_budget = 1000;
