@@ -6,14 +6,15 @@ add_library(durer::warnings ALIAS durer_warnings)
 target_compile_options(durer_warnings INTERFACE
   # GCC 12 warns of overlaps in std::string that are not there (GCC bug 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
-  # With sanitizers it also sees uninitialised members in std::regex.
-  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${DURER_SANITIZE}>>:-Wno-maybe-uninitialized>
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror=switch
   $<$<BOOL:${DURER_WARNINGS_AS_ERRORS}>:-Werror>)
 
 add_library(durer_sanitizers INTERFACE)
 add_library(durer::sanitizers ALIAS durer_sanitizers)
 if(DURER_SANITIZE)
+  # With sanitizers GCC 12 also sees uninitialised members in std::regex.
+  target_compile_options(durer_warnings INTERFACE
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_compile_options(durer_sanitizers INTERFACE -fsanitize=${DURER_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(durer_sanitizers INTERFACE -fsanitize=${DURER_SANITIZE})
 endif()

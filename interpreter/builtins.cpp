@@ -11,6 +11,7 @@
 #include <fmt/printf.h>
 #include <glm/geometric.hpp>
 
+#include "functions/noise.h"
 #include "interpreter/interpreter.h"
 
 namespace durer::interpreter {
@@ -343,9 +344,17 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
       const Bounds3 box = options_.queries->extent(scene_, id);
       return vector(function == w::min_extent ? box.lo : box.hi);
     }
-    case w::vturbulence:
+    case w::vturbulence: {
+      functions::Octaves octaves;
+      octaves.lambda = args.number();
+      octaves.omega = args.number();
+      octaves.count = std::clamp(args.integer(), 1, 10);
+      return vector(functions::vturbulence(args.vector(), octaves));
+    }
     case w::sum:
-    case w::prod: not_supported(fmt::format("`{}`", name_of(function)), e.span);
+    case w::prod:
+      fail(Code::unexpected_item, e.span,
+           fmt::format("`{}` exists only inside of functions", name_of(function)));
     default:
       fail(Code::wrong_kind, e.span,
            fmt::format("expected a number or vector, found the string function `{}`",

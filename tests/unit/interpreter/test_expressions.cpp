@@ -98,6 +98,7 @@ TEST_CASE("expressions: vector functions", "[interpreter][builtins]") {
   CHECK(vector_of("vaxis_rotate(x, z, 90)") == vector_of("vrotate(x, 90*z)"));
   CHECK(vector_of("vcross(x,y)", 3, "", 0) == "0 0 1");
   CHECK(vector_of("vnormalize(<0,3,4>)", 3, "", 1) == "0.0 0.6 0.8");
+  CHECK(vector_of("vturbulence(2,.5,6,<1,2,3>)") == "-0.3805 -0.5382 0.4217");
 }
 
 TEST_CASE("expressions: strings", "[interpreter][builtins]") {
