@@ -231,6 +231,58 @@ TEST_CASE("operations: every row on nasty inputs", "[functions][ops]") {
   }
 }
 
+TEST_CASE("operations: every row encloses samples and has its derivative", "[functions][ops]") {
+  std::mt19937 rng(12);
+  std::uniform_real_distribution<double> u(0, 1);
+  Workspace w;
+  for (std::size_t op = 0; op < plain_op_count; ++op) {
+    const auto arity = static_cast<std::size_t>(op_table[op].arity);
+    CAPTURE(op_table[op].name);
+    FunctionBuilder b(4);
+    std::vector<Value> operands;
+    for (std::size_t i = 0; i < arity; ++i) operands.push_back(b.parameter(static_cast<int>(i)));
+    const Function f = b.finish(b.op(static_cast<Op>(op), operands));
+    int escaped = 0;
+    int wrong = 0;
+    for (int repeat = 0; repeat < 400; ++repeat) {
+      std::array<Interval, 4> box;
+      std::array<double, 4> p{};
+      const double size = std::pow(10.0, -6 + 8 * u(rng));
+      for (std::size_t i = 0; i < 4; ++i) {
+        const double lo = std::pow(10.0, -2 + 3 * u(rng)) * (2 * u(rng) - 1);
+        box[i] = {lo, lo + size * u(rng)};
+      }
+      const Interval r = evaluate_interval(f, box, w);
+      for (int k = 0; k < 10; ++k) {
+        for (std::size_t i = 0; i < 4; ++i) {
+          p[i] = k == 0 ? box[i].lo
+                        : std::min(box[i].hi, box[i].lo + u(rng) * (box[i].hi - box[i].lo));
+        }
+        escaped += r.contains(evaluate(f, p, w)) ? 0 : 1;
+      }
+      for (std::size_t i = 0; i < arity; ++i) {
+        std::array<Dual, 4> dual{p[0], p[1], p[2], p[3]};
+        dual[i].d.x = 1;
+        const double slope = evaluate_gradient(f, dual, w).d.x;
+        const auto difference = [&](double h) {
+          std::array<double, 4> lower = p;
+          std::array<double, 4> upper = p;
+          lower[i] -= h;
+          upper[i] += h;
+          return (evaluate(f, upper, w) - evaluate(f, lower, w)) / (2 * h);
+        };
+        const double h = 1e-6 * std::max(1e-2, std::abs(p[i]));
+        const double d = difference(h);
+        const double tolerance = 1e-4 * std::max(1.0, std::abs(d));
+        if (!(std::abs(d - difference(h / 4)) < tolerance)) continue;  // a kink, jump or NaN
+        wrong += std::abs(slope - d) < 4 * tolerance ? 0 : 1;
+      }
+    }
+    CHECK(escaped == 0);
+    CHECK(wrong == 0);
+  }
+}
+
 TEST_CASE("tape: what is not a number", "[functions][tape]") {
   // x = -1, so sqrt(x) is not a number; results as the reference program gives them.
   const std::pair<const char*, double> table[] = {
