@@ -1,6 +1,8 @@
 // Syntax trees → scene. Public.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -16,6 +18,26 @@
 
 namespace durer::interpreter {
 
+/// Where a scene stops being taken for sound: each is an error that names the option to raise it.
+/// 0: no limit.
+struct Limits {
+  std::size_t macro_depth = 1000;   // calls inside one another
+  std::uint64_t loop_turns = 0;     // of all loops and macro calls together
+  double seconds = 0;               // of interpreting
+  std::size_t memory = 0;           // bytes the process may hold
+  std::size_t include_depth = 100;  // files inside one another
+};
+
+/// The numbers of an animation that a scene can read (language §9.6); all zero for a still.
+struct AnimationFrame {
+  int number = 0;
+  int first = 0;
+  int last = 0;  // one more for a cyclic animation
+  double first_clock = 0;
+  double last_clock = 0;
+  double clock_delta = 0;
+};
+
 struct Options {
   /// Searched in order for includes: the scene's folder, `include_paths`, the built-in library
   /// (`stdlib_path`, may be empty), then the folders of an installed POV-Ray (`fallback_paths`).
@@ -28,12 +50,22 @@ struct Options {
   int height = 120;
   double clock = 0;
   bool clock_on = false;
+  AnimationFrame frame;
   int version = 0;  // hundredths, from the command line; 0: not given
+  /// Read before the scene, as an include (+HI); empty: none.
+  std::string header_file;
+  Limits limits;
+  /// Files may be read only below the scene's folder and the folders searched, and `#fopen` may
+  /// write only files named in `writable`.
+  bool confined = false;
+  std::vector<std::string> writable;
   bool output_alpha = false;
   /// Answers `trace`, `inside` and the extents; without it they are errors.
   scene::ObjectQueries* queries = nullptr;
   /// Receives #debug, #render and #statistics text as it is produced (no newline added).
   std::function<void(std::string_view)> on_debug;
+  /// Receives a line for every macro call and return (--trace-macros).
+  std::function<void(std::string_view)> on_trace;
 };
 
 /// Reads `path` ("-" or text given by `main_file`) and interprets it. Errors are reported; then the
