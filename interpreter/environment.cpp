@@ -32,8 +32,7 @@ Slot& Environment::insert(SymbolId name, std::uint32_t scope) {
     slot = &slots_.emplace_back();
   } else {
     slot = free_.back();
-    free_.pop_back();
-    *slot = Slot{};
+    free_.pop_back();  // close_scope has emptied it
   }
   slot->name = name;
   slot->scope = scope;
@@ -85,6 +84,9 @@ void Environment::close_scope() {
     owned_.pop_back();
     unlink(*s);
     s->value = Value{};
+    s->target = nullptr;
+    s->path.clear();
+    if (s->deprecated) s->deprecated.reset();
     free_.push_back(s);
   }
   scope_begin_.pop_back();

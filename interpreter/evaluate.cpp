@@ -8,6 +8,7 @@
 #include "base/gamma.h"
 #include "base/suggest.h"
 #include "interpreter/interpreter.h"
+#include "interpreter/macro_value.h"
 
 namespace durer::interpreter {
 
@@ -51,6 +52,11 @@ double apply(ast::Op op, double a, double b) {
     case ast::Op::not_: break;
   }
   return 0;
+}
+
+/// Strings are compared code by code.
+double compare(ast::Op op, const Text& l, const Text& r) {
+  return apply(op, l < r ? -1 : (r < l ? 1 : 0), 0);
 }
 
 }  // namespace
@@ -197,6 +203,12 @@ Num Interpreter::evaluate(const ast::Tree& tree, ast::ExprId id, int length) {
     part.finish("an operator or the end of this expression");
     return n;
   }
+  return evaluate_closed(tree, id, length);
+}
+
+/// No call at the operator level needs to be spelled out: see needs_expansion.
+Num Interpreter::evaluate_closed(const ast::Tree& tree, ast::ExprId id, int length) {
+  const ast::Expr& e = tree.exprs[id];
   // A switch over the alternatives, most frequent first in mind: this is the interpreter's inner
   // loop.
   enum Kind : std::size_t {
@@ -221,7 +233,7 @@ Num Interpreter::evaluate(const ast::Tree& tree, ast::ExprId id, int length) {
     case vector: return evaluate_vector(tree, *std::get_if<ast::Vector>(&e.node), e.span);
     case unary_: {
       const auto& u = *std::get_if<ast::Unary>(&e.node);
-      return unary(u.op, evaluate(tree, u.operand, length));
+      return unary(u.op, evaluate_closed(tree, u.operand, length));
     }
     case binary_: return evaluate_binary(tree, e, *std::get_if<ast::Binary>(&e.node), length);
     case conditional:
@@ -234,7 +246,7 @@ Num Interpreter::evaluate(const ast::Tree& tree, ast::ExprId id, int length) {
     }
     case member_: {
       const auto& m = *std::get_if<ast::Member>(&e.node);
-      return member(evaluate(tree, m.object, 1), m.member, e.span, length);
+      return member(evaluate_closed(tree, m.object, 1), m.member, e.span, length);
     }
     case open: return evaluate_open(tree, e, *std::get_if<ast::OpenGroup>(&e.node), length);
     default: break;
@@ -244,14 +256,23 @@ Num Interpreter::evaluate(const ast::Tree& tree, ast::ExprId id, int length) {
 
 Num Interpreter::evaluate_binary(const ast::Tree& tree, const ast::Expr& e, const ast::Binary& b,
                                  int length) {
-  if (b.op >= ast::Op::lt && b.op <= ast::Op::gt && is_text(tree, b.left)) {
-    const Text l = evaluate_text(tree, b.left);
-    const Text r = evaluate_text(tree, b.right);
-    const int order = l < r ? -1 : (r < l ? 1 : 0);
-    return Num::filled(apply(b.op, order, 0), length);
+  const bool relation = b.op >= ast::Op::lt && b.op <= ast::Op::gt;
+  if (relation && is_text(tree, b.left)) {
+    return Num::filled(
+        compare(b.op, evaluate_text(tree, b.left), evaluate_text(tree, b.right)), length);
   }
-  Num left = evaluate(tree, b.left, length);
-  const Num right = evaluate(tree, b.right, left.length);
+  Num left;
+  if (relation && tree.exprs[b.left].may_expand && is_macro_call(tree, b.left)) {
+    // Only its value tells whether numbers or strings are compared.
+    const Value v = evaluate_value(tree, b.left);
+    if (const auto* text = v.get<Shared<Text>>()) {
+      return Num::filled(compare(b.op, **text, evaluate_text(tree, b.right)), length);
+    }
+    left = value_as_num(v, tree.exprs[b.left].span, length);
+  } else {
+    left = evaluate_closed(tree, b.left, length);
+  }
+  const Num right = evaluate_closed(tree, b.right, left.length);
   if (left.length == 1 && right.length == 1) {  // floats, by far the commonest
     if (b.op == ast::Op::div && right.v[0] == 0) {
       warn(Code::evaluation, e.span, "division by zero; the result is infinite");
@@ -283,7 +304,7 @@ Num Interpreter::evaluate_full(const ast::Tree& tree, ast::ExprId id, int length
 Num Interpreter::evaluate_vector(const ast::Tree& tree, const ast::Vector& v, Span span) {
   bool expands = false;
   for (std::uint32_t i = 0; i < v.components.count && !expands; ++i) {
-    expands = needs_expansion(tree, tree.expr_lists[v.components.first + i]);
+    expands = needs_expansion(tree, tree.expr_lists[v.components.first + i], true);
   }
   if (expands) return read_components(tree, v.components, span);
   if (v.components.count > 5 || v.components.count < 2) {
@@ -359,6 +380,12 @@ Num Interpreter::evaluate_call(const ast::Tree& tree, const ast::Expr& e, const 
     const std::span args(tree.expr_lists.data() + call.args.first, call.args.count);
     return call_builtin(tree, e, name->name, args, nullptr, length);
   }
+  if (const MacroRef* macro = macro_of(tree, call.callee)) {
+    const auto id = static_cast<ast::ExprId>(&e - tree.exprs.data());
+    return macro_value(tree, id, *macro, [&](const ast::Tree& t, ast::ExprId value) {
+      return evaluate(t, value, length);
+    });
+  }
   const Value* v = lookup(tree, call.callee, true);
   call_value(*v, e.span);
 }
@@ -372,7 +399,7 @@ void Interpreter::call_value(const Value& v, Span span) {
 /// Whatever the expression stands for: a number, a string, an object, a texture …
 Value Interpreter::evaluate_value(const ast::Tree& tree, ast::ExprId id) {
   const ast::Expr& e = tree.exprs[id];
-  if (e.may_expand && needs_expansion(tree, id)) {
+  if (e.may_expand && needs_expansion(tree, id, true)) {
     Nested part(*this, tree, id);
     Value v = read_value();
     accept_punct(';');
@@ -389,8 +416,15 @@ Value Interpreter::evaluate_value(const ast::Tree& tree, ast::ExprId id) {
   } else if (array_of(e)) {
     return copy_of(*lookup(tree, id, true));
   }
+  if (e.may_expand) {
+    if (const MacroRef* macro = value_macro(tree, id, true)) {
+      return macro_value(tree, id, *macro, [&](const ast::Tree& t, ast::ExprId value) {
+        return evaluate_value(t, value);
+      });
+    }
+  }
   if (is_text(tree, id)) return Value(std::make_shared<const Text>(evaluate_text(tree, id)));
-  return Value(evaluate(tree, id, 1));
+  return Value(evaluate_closed(tree, id, 1));
 }
 
 /// Assignment copies; arrays are shared until one of the copies is written.
@@ -434,7 +468,7 @@ bool Interpreter::is_text(const ast::Tree& tree, ast::ExprId id) {
 
 Text Interpreter::evaluate_text(const ast::Tree& tree, ast::ExprId id, bool file_name) {
   const ast::Expr& e = tree.exprs[id];
-  if (e.may_expand && needs_expansion(tree, id)) {
+  if (e.may_expand && needs_expansion(tree, id, true)) {
     Nested part(*this, tree, id);
     Text t = read_text(file_name);
     part.finish("the end of this string");
@@ -445,6 +479,13 @@ Text Interpreter::evaluate_text(const ast::Tree& tree, ast::ExprId id, bool file
   }
   if (const auto* p = std::get_if<ast::Paren>(&e.node))
     return evaluate_text(tree, p->inner, file_name);
+  if (e.may_expand) {
+    if (const MacroRef* macro = value_macro(tree, id, true)) {
+      return macro_value(tree, id, *macro, [&](const ast::Tree& t, ast::ExprId value) {
+        return evaluate_text(t, value, file_name);
+      });
+    }
+  }
   if (!is_text(tree, id)) {
     if (const Value* v = lookup(tree, id, true); v != nullptr) {
       fail(Code::wrong_kind, e.span, fmt::format("expected a string, found {}", kind_name(*v)),

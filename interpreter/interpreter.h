@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <span>
@@ -47,7 +48,10 @@ class Interpreter {
   bool step_expansion(Token& token);
   void expand(const ast::Tree& tree, ast::ExprId id, bool flatten);
   void push_pieces(const ast::Tree& tree, ast::ExprId id, bool flatten);
-  [[nodiscard]] bool needs_expansion(const ast::Tree& tree, ast::ExprId id) const;
+  [[nodiscard]] bool needs_expansion(const ast::Tree& tree, ast::ExprId id,
+                                     bool alone = false) const;
+  [[nodiscard]] bool operand_expands(const ast::Tree& tree, ast::ExprId id) const;
+  [[nodiscard]] bool is_macro_call(const ast::Tree& tree, ast::ExprId id) const;
   [[nodiscard]] const MacroRef* macro_named(SymbolId name) const;
   [[nodiscard]] const MacroRef* macro_of(const ast::Tree& tree, ast::ExprId callee) const;
   void push(Frame frame);
@@ -77,24 +81,42 @@ class Interpreter {
   void close_barrier(std::size_t depth, std::size_t unread_base, std::size_t declare_depth);
 
   // ---- execute.cpp, directives/: what directives do
+  /// How running a statement ended. `broken`: a #break left it and looks for what to end.
+  enum class Flow : std::uint8_t { normal, broken };
   void execute(const ast::Tree& tree, const ast::Item& item);
+  Flow run_directive(const ast::Tree& tree, const ast::Directive& d);
+  /// Runs items that are statements all (ast::Body::Shape), without delivering anything.
+  Flow run_statements(const ast::Tree& tree, ast::Range items);
   void run(const ast::Tree& tree, const ast::Directive& d, const ast::Declare& node);
   void run(const ast::Tree& tree, const ast::Directive& d, const ast::Undef& node);
-  void run(const ast::Tree& tree, const ast::Directive& d, const ast::If& node);
-  void run(const ast::Tree& tree, const ast::Directive& d, const ast::While& node);
-  void run(const ast::Tree& tree, const ast::Directive& d, const ast::For& node);
-  void run(const ast::Tree& tree, const ast::Directive& d, const ast::Switch& node);
+  Flow run(const ast::Tree& tree, const ast::Directive& d, const ast::If& node);
+  Flow run(const ast::Tree& tree, const ast::Directive& d, const ast::While& node);
+  Flow run(const ast::Tree& tree, const ast::Directive& d, const ast::For& node);
+  Flow run(const ast::Tree& tree, const ast::Directive& d, const ast::Switch& node);
   void run(const ast::Tree& tree, const ast::Directive& d, const ast::Macro& node);
-  void run(const ast::Tree& tree, const ast::Directive& d, const ast::Break& node);
   void run(const ast::Tree& tree, const ast::Directive& d, const ast::Include& node);
   void run(const ast::Tree& tree, const ast::Directive& d, const ast::Version& node);
   void run(const ast::Tree& tree, const ast::Directive& d, const ast::Message& node);
   void run(const ast::Tree& tree, const ast::Directive& d, const ast::Simple& node);
   void run(const ast::Tree& tree, const ast::Directive& d, const ast::Unknown& node);
   bool loop_again(Frame& frame);
+  bool next_turn(const ast::Directive& d, const ast::For& node, double limit, double step);
+  /// Counts a loop turn or macro call against the limits.
+  void tick(Span span) {
+    if (++turns_ >= next_check_) check_limits(span);
+  }
+  void check_limits(Span span);
   bool condition(const ast::Tree& tree, ast::ExprId id);
   bool is_defined(const ast::Tree& tree, ast::ExprId id);
   void call_macro(const ast::Tree& tree, ast::ExprId call, bool flatten);
+  void enter_macro(const ast::Tree& tree, ast::ExprId call, const MacroRef& ref, ast::Range items,
+                   bool flatten);
+  void add_argument(const ast::Tree& tree, ast::ExprId arg);
+  void read_open_arguments(const ast::Tree& tree, ast::Range items);
+  [[nodiscard]] const MacroRef* value_macro(const ast::Tree& tree, ast::ExprId id,
+                                            bool alone) const;
+  template <typename Read>
+  auto macro_value(const ast::Tree& tree, ast::ExprId id, const MacroRef& ref, Read read);
   void bind_argument(Slot& slot, const ast::Tree& tree, ast::ExprId arg);
   struct Subscript {
     double value;
@@ -158,6 +180,7 @@ class Interpreter {
   Num evaluate(const ast::Tree& tree, ast::ExprId id, int length);
   /// Full level: a result of one component fills all `length` slots.
   Num evaluate_full(const ast::Tree& tree, ast::ExprId id, int length);
+  Num evaluate_closed(const ast::Tree& tree, ast::ExprId id, int length);
   Num evaluate_call(const ast::Tree& tree, const ast::Expr& e, const ast::Call& call, int length);
   Num evaluate_name(const ast::Expr& e, SymbolId name, int length);
   Num evaluate_open(const ast::Tree& tree, const ast::Expr& e, const ast::OpenGroup& g, int length);
@@ -325,6 +348,9 @@ class Interpreter {
   std::size_t unread_base_ = 0;    // tokens below belong to an outer reader
   std::size_t declare_depth_ = 0;  // frames when the value of a #declare is being read
   std::size_t macro_depth_ = 0;
+  std::uint64_t turns_ = 0;       // of loops, and macro calls
+  std::uint64_t next_check_ = 0;  // turns at which the limits are looked at again
+  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   std::size_t nesting_ = 0;
 
   std::unordered_map<std::string, std::unique_ptr<const ast::Tree>> trees_;

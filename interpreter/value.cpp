@@ -17,6 +17,9 @@ std::string_view kind_name(const Value& value) {
     std::string_view operator()(const Shared<Text>&) const { return "a string"; }
     std::string_view operator()(const std::shared_ptr<Array>&) const { return "an array"; }
     std::string_view operator()(MacroRef) const { return "a macro"; }
+    std::string_view operator()(const Shared<Thing>& thing) const {
+      return std::visit(*this, *thing);
+    }
     std::string_view operator()(ObjectRef) const { return "an object"; }
     std::string_view operator()(TextureRef) const { return "a texture"; }
     std::string_view operator()(const Shared<scene::Pigment>&) const { return "a pigment"; }
@@ -31,6 +34,12 @@ std::string_view kind_name(const Value& value) {
     std::string_view operator()(const Shared<Unsupported>& u) const { return u->feature; }
   };
   return std::visit(Visitor{}, value.node);
+}
+
+bool same_alternative(const Value& a, const Value& b) {
+  if (a.node.index() != b.node.index()) return false;
+  const auto* x = std::get_if<Shared<Thing>>(&a.node);
+  return x == nullptr || (*x)->index() == (*std::get_if<Shared<Thing>>(&b.node))->index();
 }
 
 std::string to_bytes(const Text& text) {
