@@ -1,5 +1,6 @@
 // The functions of the language (language §3). Arguments are read one by one, in textual order,
 // because `rand` and macro calls have effects.
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -20,6 +21,13 @@ namespace w = grammar::words;
 
 namespace {
 constexpr double radians_per_degree = 0.0174532925199432957692;
+
+Num v_of(const double* v, int n) {
+  Num out;
+  std::copy(v, v + 5, out.v.begin());
+  out.length = n;
+  return out;
+}
 
 /// C's conversion of an out-of-range double, as the oracle's machine does it.
 std::int32_t to_int(double v) {
@@ -125,6 +133,65 @@ double Interpreter::days_since_2000() {
   const auto micro = duration_cast<microseconds>(system_clock::now().time_since_epoch()).count();
   constexpr double epoch_2000 = 10957;  // days from 1970 to 2000
   return static_cast<double>(micro) / 86400e6 - epoch_2000;
+}
+
+/// The functions that stand in every inner loop, when nothing about the call is special: plain
+/// arguments, no domain to leave. False, with nothing evaluated, for all others.
+bool Interpreter::float_function(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
+                                 std::span<const ast::ExprId> args, double& result) {
+  (void)e;
+  const auto full = [&](std::size_t i) {
+    double v[5] = {};
+    const int n = work_out_full(tree, args[i], 1, v);
+    return n == 1 ? v[0] : fit(v_of(v, n), 1).v[0];
+  };
+  const auto number = [&](std::size_t i) {
+    double v[5] = {};
+    const int n = work_out(tree, args[i], 1, v);
+    return n == 1 ? v[0] : fit(v_of(v, n), 1).v[0];
+  };
+  if (args.size() == 1) {
+    switch (function) {
+      case w::abs: result = std::abs(full(0)); return true;
+      case w::cos: result = std::cos(full(0)); return true;
+      case w::sin: result = std::sin(full(0)); return true;
+      case w::tan: result = std::tan(full(0)); return true;
+      case w::atan: result = std::atan(full(0)); return true;
+      case w::exp: result = std::exp(full(0)); return true;
+      case w::floor: result = std::floor(full(0)); return true;
+      case w::ceil: result = std::ceil(full(0)); return true;
+      case w::int_: result = std::trunc(full(0)); return true;
+      case w::degrees: result = full(0) / radians_per_degree; return true;
+      case w::radians: result = full(0) * radians_per_degree; return true;
+      default: return false;
+    }
+  }
+  if (args.size() == 2) {
+    switch (function) {
+      case w::mod: {
+        const double a = number(0);
+        result = std::fmod(a, number(1));
+        return true;
+      }
+      case w::div: {
+        const double a = number(0);
+        result = to_int(a / number(1));
+        return true;
+      }
+      case w::max: {
+        const double a = number(0);
+        result = std::max(a, number(1));
+        return true;
+      }
+      case w::min: {
+        const double a = number(0);
+        result = std::min(a, number(1));
+        return true;
+      }
+      default: return false;
+    }
+  }
+  return false;
 }
 
 Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolId function,

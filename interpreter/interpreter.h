@@ -180,15 +180,23 @@ class Interpreter {
   Num evaluate(const ast::Tree& tree, ast::ExprId id, int length);
   /// Full level: a result of one component fills all `length` slots.
   Num evaluate_full(const ast::Tree& tree, ast::ExprId id, int length);
-  Num evaluate_closed(const ast::Tree& tree, ast::ExprId id, int length);
-  Num evaluate_call(const ast::Tree& tree, const ast::Expr& e, const ast::Call& call, int length);
-  Num evaluate_name(const ast::Expr& e, SymbolId name, int length);
+  /// The same in place: `v` has room for five components, zero at first; returns how many count.
+  int work_out(const ast::Tree& tree, ast::ExprId id, int want, double* v);
+  int work_out_full(const ast::Tree& tree, ast::ExprId id, int want, double* v);
+  double work_out_float(const ast::Tree& tree, ast::ExprId id, std::string_view what);
+  int work_out_closed(const ast::Tree& tree, const ast::Expr& e, int want, double* v);
+  int work_out_operand(const ast::Tree& tree, const ast::Expr& e, int want, double* v);
+  int work_out_relation(const ast::Tree& tree, const ast::Expr& e, int want, double* v);
+  int work_out_conditional(const ast::Tree& tree, const ast::Expr& e, int want, double* v);
+  int work_out_vector(const ast::Tree& tree, const ast::Vector& list, Span span, double* v);
+  int work_out_call(const ast::Tree& tree, const ast::Expr& e, const ast::Call& call, int want,
+                    double* v);
+  int take_name(SymbolId name, Span span, int want, double* v);
+  int take_value(const Value& value, Span span, int want, double* v);
+  int take_member(double* v, int n, SymbolId name, Span span, int want);
+  int apply_binary(ast::Op op, double* v, int n, double* r, int m, Span span);
+  void warn_division(Span span);
   Num evaluate_open(const ast::Tree& tree, const ast::Expr& e, const ast::OpenGroup& g, int length);
-  Num evaluate_binary(const ast::Tree& tree, const ast::Expr& e, const ast::Binary& b, int length);
-  Num evaluate_conditional(const ast::Tree& tree, const ast::Expr& e, const ast::Conditional& c,
-                           int length);
-  Num evaluate_vector(const ast::Tree& tree, const ast::Vector& v, Span span);
-  Num value_as_num(const Value& v, Span span, int length);
   Num binary(ast::Op op, Num left, Num right, Span span);
   Num unary(ast::Op op, Num operand);
   Num member(Num object, SymbolId member, Span span, int length);
@@ -208,6 +216,8 @@ class Interpreter {
   friend class Args;
   Num call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
                    std::span<const ast::ExprId> args, const ast::OpenGroup* open, int length);
+  bool float_function(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
+                      std::span<const ast::ExprId> args, double& result);
   Text call_text_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
                          std::span<const ast::ExprId> args, const ast::OpenGroup* open);
   scene::ObjectId object_argument(const ast::Tree& tree, ast::ExprId id, Span call);
