@@ -26,6 +26,13 @@ const Value* first_defined(const Array& array) {
 }  // namespace
 
 /// Assigns; colours lose precision on the way, as colour variables are 32-bit (language §2).
+void Interpreter::store_number(Value& target, Num n) {
+  if (n.length == 5) {
+    for (double& x : n.v) x = static_cast<float>(x);
+  }
+  target.set(n);
+}
+
 void Interpreter::store(Value& target, Value value, bool is_element, const Array* array,
                         Span span) {
   if (Num* n = value.get<Num>(); n != nullptr && n->length == 5) {
@@ -47,6 +54,29 @@ void Interpreter::store(Value& target, Value value, bool is_element, const Array
   target = std::move(value);
 }
 
+/// The commonest assignment by far: of a formula to a variable that holds a number already. False,
+/// with nothing evaluated, if it is anything else.
+bool Interpreter::assign_number(const ast::Tree& tree, const ast::Declare& node) {
+  if (node.value == ast::none || node.subscripts.count > 0 || node.deprecated) return false;
+  if (!node.semicolon && version() >= 350) return false;
+  const ast::Expr& e = tree.exprs[node.value];
+  if (!std::holds_alternative<ast::Binary>(e.node) && !std::holds_alternative<ast::Number>(e.node) &&
+      !std::holds_alternative<ast::Vector>(e.node)) {
+    return false;
+  }
+  Slot* slot = node.local ? env_.find_in_scope(node.name, env_.scope()) : env_.find(node.name);
+  if (slot == nullptr || slot->target != nullptr || slot->deprecated || !slot->value.is_num()) {
+    return false;
+  }
+  Num n;
+  n.length = work_out(tree, node.value, 1, n.v.data());
+  if (slot->name != node.name || slot->target != nullptr) {  // gone meanwhile: a macro undefined it
+    slot = &env_.in_scope(node.name, node.local ? env_.scope() : 0);
+  }
+  store_number(slot->value, n);
+  return true;
+}
+
 void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Declare& node) {
   (void)d;
   if (symbols_.reserved(node.name)) {
@@ -54,6 +84,7 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
          fmt::format("`{}` is a word of the language and cannot be declared", name_of(node.name)),
          "choose another name; names that start with a capital letter are always free");
   }
+  if (assign_number(tree, node)) return;
   // Where the value goes is settled first: its last operand may stand inside a macro, whose scope
   // is still open then. The old value stays visible while the new one is worked out.
   const std::uint32_t scope = env_.scope();
@@ -116,7 +147,7 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
     auto note = std::make_shared<Deprecation>();
     note->once = node.deprecated_once;
     note->message = node.deprecated_message != ast::none
-                        ? to_bytes(evaluate_text(tree, node.deprecated_message))
+                        ? evaluate_text(tree, node.deprecated_message).bytes()
                         : fmt::format("`{}` is deprecated", name_of(node.name));
     slot.deprecated = std::move(note);
   }
@@ -299,6 +330,7 @@ void Interpreter::add_argument(const ast::Tree& tree, ast::ExprId arg) {
     Slot* target = env_.find(name->name);
     const Value* v = Environment::value_of(target);
     if (v == nullptr || !v->defined()) unknown_name(name->name, e.span);
+    if (target->target != nullptr && target->path.empty()) target = target->target;
     arguments_.push_back({{}, target, {}, e.span});
   } else if (const auto array_name = array_of(e)) {
     Argument a{{}, nullptr, {}, e.span};

@@ -11,9 +11,7 @@ Slot* Environment::find_in_scope(SymbolId name, std::uint32_t scope) const {
   return nullptr;
 }
 
-Value* Environment::value_of(Slot* slot) {
-  if (slot == nullptr) return nullptr;
-  if (slot->target == nullptr) return &slot->value;
+Value* Environment::referred(Slot* slot) {
   Value* v = value_of(slot->target);
   for (const std::size_t index : slot->path) {
     auto* array = v == nullptr ? nullptr : v->get<std::shared_ptr<Array>>();

@@ -226,7 +226,7 @@ bool Interpreter::loop_again(Frame& frame) {
 
 void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Message& node) {
   std::string text =
-      to_bytes(node.value == ast::none ? read_text() : evaluate_text(tree, node.value));
+      (node.value == ast::none ? read_text() : evaluate_text(tree, node.value)).bytes();
   using Kind = ast::Message::Kind;
   if (node.kind == Kind::error) fail(Code::user_error, d.span, text.empty() ? "#error" : text);
   if (node.kind == Kind::warning) {

@@ -187,14 +187,14 @@ std::optional<scene::Scene> Interpreter::run(FileId main_file) try {
     if (const double* x = std::get_if<double>(&value)) {
       global(name, Value(Num(*x)));
     } else {
-      global(name, Value(std::make_shared<const Text>(from_bytes(std::get<std::string>(value)))));
+      global(name, Value(std::make_shared<const Text>(Text(std::get<std::string>(value)))));
     }
   }
   global("image_width", Value(Num(options_.width)));
   global("image_height", Value(Num(options_.height)));
   const std::string name =
       std::filesystem::path(std::string(sources_.path(main_file))).filename().string();
-  global("input_file_name", Value(std::make_shared<const Text>(from_bytes(name))));
+  global("input_file_name", Value(std::make_shared<const Text>(Text(name))));
   for (const char* zero : {"frame_number", "initial_frame", "final_frame", "initial_clock",
                            "final_clock", "clock_delta"}) {
     global(zero, Value(Num(0.0)));

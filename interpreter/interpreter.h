@@ -155,6 +155,8 @@ class Interpreter {
     }
     return std::nullopt;
   }
+  bool assign_number(const ast::Tree& tree, const ast::Declare& node);
+  static void store_number(Value& target, Num n);
   void store(Value& target, Value value, bool is_element, const Array* array, Span span);
   void default_block();
   void set_version(double v, Span span);
@@ -208,7 +210,9 @@ class Interpreter {
   Num read_components(const ast::Tree& tree, ast::Range components, Span span);
   [[noreturn]] void call_value(const Value& v, Span span);
   [[nodiscard]] static Value copy_of(const Value& v);
-  Text decode_literal(std::string_view bytes, Span span, bool file_name);
+  void append_text(const ast::Tree& tree, ast::ExprId id, Text& out, bool file_name = false);
+  [[nodiscard]] static SymbolId text_function(const ast::Tree& tree, ast::ExprId id);
+  void decode_literal(std::string_view bytes, Span span, bool file_name, Text& out);
   [[noreturn]] void unknown_name(SymbolId name, Span span);
 
   // ---- builtins.cpp: the functions of the language
@@ -218,11 +222,11 @@ class Interpreter {
                    std::span<const ast::ExprId> args, const ast::OpenGroup* open, int length);
   bool float_function(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
                       std::span<const ast::ExprId> args, double& result);
-  Text call_text_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
-                         std::span<const ast::ExprId> args, const ast::OpenGroup* open);
+void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
+                        std::span<const ast::ExprId> args, const ast::OpenGroup* open, Text& out);
   scene::ObjectId object_argument(const ast::Tree& tree, ast::ExprId id, Span call);
   [[nodiscard]] static double days_since_2000();
-  std::string format_number(double value, int width, int decimals);
+  static void append_number(double value, int width, int decimals, Text& out);
 
   // ---- read.cpp: expressions and values from the stream
   Num read_num(int length);   // additive level

@@ -1,4 +1,6 @@
 // Values that are more than numbers: names of things, and strings.
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "interpreter/interpreter.h"
@@ -57,14 +59,21 @@ bool Interpreter::is_text(const ast::Tree& tree, ast::ExprId id) {
     const Value* v = lookup(tree, id, false);
     return v != nullptr && v->get<Shared<Text>>() != nullptr;
   }
+  return text_function(tree, id) != grammar::SymbolTable::none;
+}
+
+/// The string function that the expression calls; `none` for other expressions.
+SymbolId Interpreter::text_function(const ast::Tree& tree, ast::ExprId id) {
+  constexpr SymbolId none = grammar::SymbolTable::none;
+  const ast::Expr& e = tree.exprs[id];
   ast::ExprId callee = ast::none;
   if (const auto* c = std::get_if<ast::Call>(&e.node)) callee = c->callee;
   if (const auto* g = std::get_if<ast::OpenGroup>(&e.node)) {
     if (g->kind == ast::OpenGroup::Kind::call) callee = g->callee;
   }
-  if (callee == ast::none) return false;
+  if (callee == ast::none) return none;
   const auto* name = std::get_if<ast::Name>(&tree.exprs[callee].node);
-  if (name == nullptr) return false;
+  if (name == nullptr) return none;
   switch (name->name) {
     case w::chr:
     case w::concat:
@@ -73,52 +82,66 @@ bool Interpreter::is_text(const ast::Tree& tree, ast::ExprId id) {
     case w::strlwr:
     case w::strupr:
     case w::substr:
-    case w::vstr: return true;
-    default: return false;
+    case w::vstr: return name->name;
+    default: return none;
   }
 }
 
 Text Interpreter::evaluate_text(const ast::Tree& tree, ast::ExprId id, bool file_name) {
+  Text out;
+  append_text(tree, id, out, file_name);
+  return out;
+}
+
+void Interpreter::append_text(const ast::Tree& tree, ast::ExprId id, Text& out, bool file_name) {
   const ast::Expr& e = tree.exprs[id];
   if (e.may_expand && needs_expansion(tree, id, true)) {
     Nested part(*this, tree, id);
-    Text t = read_text(file_name);
+    out.append(read_text(file_name));
     part.finish("the end of this string");
-    return t;
+    return;
   }
   if (const auto* s = std::get_if<ast::String>(&e.node)) {
-    return decode_literal(tree.strings[s->index], e.span, file_name);
+    decode_literal(tree.strings[s->index], e.span, file_name, out);
+    return;
   }
-  if (const auto* p = std::get_if<ast::Paren>(&e.node))
-    return evaluate_text(tree, p->inner, file_name);
+  if (const auto* p = std::get_if<ast::Paren>(&e.node)) {
+    return append_text(tree, p->inner, out, file_name);
+  }
   if (e.may_expand) {
     if (const MacroRef* macro = value_macro(tree, id, true)) {
-      return macro_value(tree, id, *macro, [&](const ast::Tree& t, ast::ExprId value) {
-        return evaluate_text(t, value, file_name);
+      macro_value(tree, id, *macro, [&](const ast::Tree& t, ast::ExprId value) {
+        append_text(t, value, out, file_name);
       });
+      return;
     }
   }
-  if (!is_text(tree, id)) {
-    if (const Value* v = lookup(tree, id, true); v != nullptr) {
-      fail(Code::wrong_kind, e.span, fmt::format("expected a string, found {}", kind_name(*v)),
-           v->get<Num>() != nullptr ? "turn numbers into strings with `str(X, 0, 3)`" : "");
+  if (const SymbolId function = text_function(tree, id); function != grammar::SymbolTable::none) {
+    if (const auto* c = std::get_if<ast::Call>(&e.node)) {
+      const std::span args(tree.expr_lists.data() + c->args.first, c->args.count);
+      return append_text_call(tree, e, function, args, nullptr, out);
     }
+    return append_text_call(tree, e, function, {}, std::get_if<ast::OpenGroup>(&e.node), out);
+  }
+  const Value* v = lookup(tree, id, true);
+  if (v == nullptr) {
     fail(Code::wrong_kind, e.span, "expected a string",
          "turn numbers into strings with `str(X, 0, 3)`");
   }
-  if (const Value* v = lookup(tree, id, true)) return **v->get<Shared<Text>>();
-  if (const auto* c = std::get_if<ast::Call>(&e.node)) {
-    const std::span args(tree.expr_lists.data() + c->args.first, c->args.count);
-    return call_text_builtin(tree, e, std::get<ast::Name>(tree.exprs[c->callee].node).name, args,
-                             nullptr);
+  const auto* text = v->get<Shared<Text>>();
+  if (text == nullptr) {
+    fail(Code::wrong_kind, e.span, fmt::format("expected a string, found {}", kind_name(*v)),
+         v->get<Num>() != nullptr ? "turn numbers into strings with `str(X, 0, 3)`" : "");
   }
-  const auto& g = std::get<ast::OpenGroup>(e.node);
-  return call_text_builtin(tree, e, std::get<ast::Name>(tree.exprs[g.callee].node).name, {}, &g);
+  out.append(**text);
 }
 
 /// The second stage of string literals (language §1.4).
-Text Interpreter::decode_literal(std::string_view bytes, Span span, bool file_name) {
-  Text out;
+void Interpreter::decode_literal(std::string_view bytes, Span span, bool file_name, Text& out) {
+  if (std::ranges::all_of(bytes, [](char c) { return c > 0 && c != '\\'; })) {
+    out.append(bytes);
+    return;
+  }
   const auto hex = [](char c) {
     return c >= '0' && c <= '9'   ? c - '0'
            : c >= 'a' && c <= 'f' ? c - 'a' + 10
@@ -129,7 +152,7 @@ Text Interpreter::decode_literal(std::string_view bytes, Span span, bool file_na
     const auto c = static_cast<unsigned char>(bytes[i]);
     if (c > 127) {
       if (!utf8_) {
-        out += version() < 350 ? static_cast<char16_t>(c) : u' ';
+        out.append(version() < 350 ? static_cast<char16_t>(c) : u' ');
         continue;
       }
       const int extra = c >= 0xF0 ? 3 : c >= 0xE0 ? 2 : 1;
@@ -137,25 +160,25 @@ Text Interpreter::decode_literal(std::string_view bytes, Span span, bool file_na
       for (int k = 0; k < extra && i + 1 < bytes.size(); ++k) {
         code = code << 6 | (static_cast<unsigned char>(bytes[++i]) & 0x3FU);
       }
-      out += code > 0xFFFF ? u'\uFFFD' : static_cast<char16_t>(code);
+      out.append(code > 0xFFFF ? u'\uFFFD' : static_cast<char16_t>(code));
       continue;
     }
     if (c != '\\' || file_name || i + 1 >= bytes.size()) {
-      out += static_cast<char16_t>(c);
+      out.append(static_cast<char16_t>(c));
       continue;
     }
     const char e = bytes[++i];
     switch (e) {
-      case 'a': out += u'\a'; break;
-      case 'b': out += u'\b'; break;
-      case 'f': out += u'\f'; break;
-      case 'n': out += u'\n'; break;
-      case 'r': out += u'\r'; break;
-      case 't': out += u'\t'; break;
-      case 'v': out += u'\v'; break;
-      case '\'': out += u'\''; break;
-      case '"': out += u'"'; break;
-      case '\\': out += u'\\'; break;
+      case 'a': out.append(u'\a'); break;
+      case 'b': out.append(u'\b'); break;
+      case 'f': out.append(u'\f'); break;
+      case 'n': out.append(u'\n'); break;
+      case 'r': out.append(u'\r'); break;
+      case 't': out.append(u'\t'); break;
+      case 'v': out.append(u'\v'); break;
+      case '\'': out.append(u'\''); break;
+      case '"': out.append(u'"'); break;
+      case '\\': out.append(u'\\'); break;
       case 'u': {
         int code = 0;
         for (int k = 0; k < 4; ++k) {
@@ -164,7 +187,7 @@ Text Interpreter::decode_literal(std::string_view bytes, Span span, bool file_na
           code = code * 16 + digit;
           ++i;
         }
-        out += static_cast<char16_t>(code);
+        out.append(static_cast<char16_t>(code));
         break;
       }
       default:
@@ -172,7 +195,6 @@ Text Interpreter::decode_literal(std::string_view bytes, Span span, bool file_na
              "write `\\\\` for a backslash");
     }
   }
-  return out;
 }
 
 }  // namespace durer::interpreter

@@ -14,6 +14,7 @@
 #include "base/transform.h"
 #include "base/vec.h"
 #include "grammar/ast.h"
+#include "interpreter/text.h"
 #include "scene/scene.h"
 
 namespace durer::interpreter {
@@ -46,9 +47,6 @@ struct Num {
             static_cast<float>(v[4])};
   }
 };
-
-/// Strings are 16-bit codes (language §1.4).
-using Text = std::u16string;
 
 struct Value;
 
@@ -162,9 +160,5 @@ struct Value {
 
 /// "a float", "a vector", "a string", … for messages.
 [[nodiscard]] std::string_view kind_name(const Value& v);
-
-/// Codes above 127 become spaces, as in every message of the language.
-[[nodiscard]] std::string to_bytes(const Text& text);
-[[nodiscard]] Text from_bytes(std::string_view bytes);
 
 }  // namespace durer::interpreter
