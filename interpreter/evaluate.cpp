@@ -243,6 +243,7 @@ Num Interpreter::evaluate_full(const ast::Tree& tree, ast::ExprId id, int length
 /// A whole expression: macro calls in it may have to be spelled out first.
 int Interpreter::work_out(const ast::Tree& tree, ast::ExprId id, int want, double* v) {
   const ast::Expr& e = tree.exprs[id];
+  if (double x = 0; repeats_ > 0 && quick_float(tree, e, id, want, x)) return fill(x, want, v);
   if (e.may_expand && needs_expansion(tree, id, true)) {
     Nested part(*this, tree, id);
     const Num n = read_full_in_place(want);
@@ -251,6 +252,26 @@ int Interpreter::work_out(const ast::Tree& tree, ast::ExprId id, int want, doubl
     return n.length;
   }
   return work_out_closed(tree, e, want, v);
+}
+
+/// The compiled way to a float (scalar_code.h); false if there is none here.
+bool Interpreter::quick_float(const ast::Tree& tree, const ast::Expr& e, ast::ExprId id, int want,
+                              double& x) {
+  // A single operand is as quick to look up.
+  if (e.height < 2 || e.height > scalar_stack) return false;
+  std::vector<std::uint32_t>& codes = codes_of_[tree.file];
+  if (codes.empty()) codes.resize(tree.exprs.size());
+  std::uint32_t& known = codes[id];
+  if (known == 0) {
+    codes_.push_back(compile_scalar(tree, id, static_cast<float>(options_.clock)));
+    known = static_cast<std::uint32_t>(codes_.size());
+  }
+  ScalarCode& code = codes_[known - 1];
+  if (code.ops.empty() || (want > 1 && code.leads_with_component)) return false;
+  if (run_scalar(code, env_, streams_, x)) return true;
+  constexpr std::uint8_t enough = 4;
+  if (++code.failures == enough) code.ops.clear();
+  return false;
 }
 
 int Interpreter::work_out_full(const ast::Tree& tree, ast::ExprId id, int want, double* v) {

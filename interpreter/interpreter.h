@@ -4,6 +4,7 @@
 
 #include <array>
 #include <chrono>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <span>
@@ -17,6 +18,7 @@
 #include "grammar/vocabulary.h"
 #include "interpreter/environment.h"
 #include "interpreter/interpret.h"
+#include "interpreter/scalar_code.h"
 #include "interpreter/stream.h"
 #include "interpreter/value.h"
 #include "scene/scene.h"
@@ -84,6 +86,14 @@ class Interpreter {
   /// How running a statement ended. `broken`: a #break left it and looks for what to end.
   enum class Flow : std::uint8_t { normal, broken };
   void execute(const ast::Tree& tree, const ast::Item& item);
+  /// While it lives, a loop is running that no frame stands for.
+  struct Repeating {
+    explicit Repeating(Interpreter& in) : in_(in) { ++in_.repeats_; }
+    Repeating(const Repeating&) = delete;
+    Repeating& operator=(const Repeating&) = delete;
+    ~Repeating() { --in_.repeats_; }
+    Interpreter& in_;
+  };
   Flow run_directive(const ast::Tree& tree, const ast::Directive& d);
   /// Runs items that are statements all (ast::Body::Shape), without delivering anything.
   Flow run_statements(const ast::Tree& tree, ast::Range items);
@@ -184,6 +194,7 @@ class Interpreter {
   Num evaluate_full(const ast::Tree& tree, ast::ExprId id, int length);
   /// The same in place: `v` has room for five components, zero at first; returns how many count.
   int work_out(const ast::Tree& tree, ast::ExprId id, int want, double* v);
+  bool quick_float(const ast::Tree& tree, const ast::Expr& e, ast::ExprId id, int want, double& x);
   int work_out_full(const ast::Tree& tree, ast::ExprId id, int want, double* v);
   double work_out_float(const ast::Tree& tree, ast::ExprId id, std::string_view what);
   int work_out_closed(const ast::Tree& tree, const ast::Expr& e, int want, double* v);
@@ -362,6 +373,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   std::size_t unread_base_ = 0;    // tokens below belong to an outer reader
   std::size_t declare_depth_ = 0;  // frames when the value of a #declare is being read
   std::size_t macro_depth_ = 0;
+  std::size_t repeats_ = 0;  // loops and macros that are running: what they hold may come again
   std::uint64_t turns_ = 0;       // of loops, and macro calls
   std::uint64_t next_check_ = 0;  // turns at which the limits are looked at again
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
@@ -370,6 +382,8 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   std::unordered_map<std::string, std::unique_ptr<const ast::Tree>> trees_;
   std::vector<std::unique_ptr<const ast::Tree>> main_trees_;
   std::vector<const ast::Tree*> tree_of_;  // by file
+  std::vector<std::vector<std::uint32_t>> codes_of_;  // by file, expression: 1 + index into codes_
+  std::deque<ScalarCode> codes_;
   std::unordered_set<std::uint64_t> warned_;
 
   // Reserved word → index into the registry.

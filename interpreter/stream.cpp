@@ -14,6 +14,11 @@ namespace {
 constexpr std::size_t max_nesting = 4000;
 constexpr std::size_t max_frames = 20000;
 
+/// True for frames whose text is likely to be met again.
+bool repeats(Frame::Kind kind) {
+  return kind == Frame::Kind::macro || kind == Frame::Kind::for_ || kind == Frame::Kind::while_;
+}
+
 Token mark(Token::Kind kind, Span span) {
   Token t;
   t.kind = kind;
@@ -99,11 +104,13 @@ void Interpreter::push(Frame frame) {
     fail(Code::limit, frame.call, "directives and blocks are nested too deeply",
          "is a macro calling itself without end?");
   }
+  if (repeats(frame.kind)) ++repeats_;
   frames_.push_back(frame);
 }
 
 void Interpreter::pop() {
   const Frame& f = frames_.back();
+  if (repeats(f.kind)) --repeats_;
   if (f.kind == Frame::Kind::expansion) pieces_.resize(f.pieces);
   if (f.kind == Frame::Kind::macro || f.kind == Frame::Kind::file) {
     if (f.kind == Frame::Kind::macro) --macro_depth_;
