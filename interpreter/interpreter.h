@@ -4,7 +4,6 @@
 
 #include <array>
 #include <chrono>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <span>
@@ -56,7 +55,8 @@ class Interpreter {
   [[nodiscard]] bool is_macro_call(const ast::Tree& tree, ast::ExprId id) const;
   [[nodiscard]] const MacroRef* macro_named(SymbolId name) const;
   [[nodiscard]] const MacroRef* macro_of(const ast::Tree& tree, ast::ExprId callee) const;
-  void push(Frame frame);
+  Frame& push(Frame::Kind kind, Span call);
+  void push(const Frame& frame);
   void pop();
   void break_out(Span span);
 
@@ -361,14 +361,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
 
   std::vector<Frame> frames_;
   std::vector<Piece> pieces_;
-  /// Of macro calls whose scope is not open yet.
-  struct Argument {
-    Value value;
-    Slot* target = nullptr;  // by reference
-    std::vector<std::size_t> path;
-    Span span;
-  };
-  std::vector<Argument> arguments_;
+  std::vector<Slot*> arguments_;  // of macro calls whose scope is not open yet
   std::vector<Token> unread_;
   std::size_t unread_base_ = 0;    // tokens below belong to an outer reader
   std::size_t declare_depth_ = 0;  // frames when the value of a #declare is being read
@@ -383,7 +376,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   std::vector<std::unique_ptr<const ast::Tree>> main_trees_;
   std::vector<const ast::Tree*> tree_of_;  // by file
   std::vector<std::vector<std::uint32_t>> codes_of_;  // by file, expression: 1 + index into codes_
-  std::deque<ScalarCode> codes_;
+  std::vector<ScalarCode> codes_;
   std::unordered_set<std::uint64_t> warned_;
 
   // Reserved word → index into the registry.
