@@ -19,6 +19,7 @@ scene::TextureId Interpreter::add_texture(scene::Texture texture) {
 
 void Interpreter::transform_texture(scene::Texture& texture, const Transform& t) {
   for (scene::Layer& layer : texture.layers) {
+    if (layer.pigment.uv_mapping) continue;  // it lies on the surface (textures §11.7)
     layer.pigment.transform = layer.pigment.transform.then(t);
   }
 }

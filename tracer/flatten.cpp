@@ -29,6 +29,7 @@ struct Context {
   bool double_illuminate = false;
   std::optional<bool> hollow;
   scene::TextureUse texture{none, {}};  // texture space → world
+  bool uv_mapping = false;              // of the textures
   scene::TextureUse interior_texture{none, {}};
   std::uint32_t interior = none;  // instance
   std::uint32_t gate = none;
@@ -47,14 +48,21 @@ class SurfaceTable {
   }
 
  private:
+  static void append(std::string& key, const SharedTransform& transform) {
+    static_assert(sizeof(Affine) == 12 * sizeof(double), "an Affine is plain numbers");
+    key.append(reinterpret_cast<const char*>(&transform->forward), sizeof(Affine));
+  }
   static void append(std::string& key, const scene::TextureUse& use) {
     key.append(reinterpret_cast<const char*>(&use.texture), sizeof use.texture);
-    if (use.texture == none || use.transform.is_identity()) return;
-    static_assert(sizeof(Affine) == 12 * sizeof(double), "an Affine is plain numbers");
-    key.append(reinterpret_cast<const char*>(&use.transform->forward), sizeof(Affine));
+    if (use.texture != none && !use.transform.is_identity()) append(key, use.transform);
   }
   static std::string key(const Surface& s) {
     std::string key(1, s.double_illuminate ? '1' : '0');
+    key += s.uv_mapping ? '1' : '0';
+    key.append(reinterpret_cast<const char*>(&s.part_textures), sizeof s.part_textures);
+    if (s.part_textures != nullptr && !s.part_transform.is_identity()) {
+      append(key, s.part_transform);
+    }
     append(key, s.texture);
     append(key, s.interior_texture);
     return key;
@@ -122,8 +130,11 @@ class Flattener {
     }
     if (!own.scenery) return own;
     const auto place = [&](const scene::TextureUse& use, scene::TextureUse& to) {
-      if (use.texture != none) to = {use.texture, use.transform.then(around.to_world)};
+      if (use.texture == none) return;
+      to = object.uv_mapping ? use : scene::TextureUse{use.texture, use.transform.then(around.to_world)};
+      own.uv_mapping = object.uv_mapping;
     };
+    own.uv_mapping = around.uv_mapping || object.uv_mapping;
     place(object.texture, own.texture);
     place(object.interior_texture, own.interior_texture);
     if (object.interior != none || own.interior == none) {
@@ -138,7 +149,15 @@ class Flattener {
   std::uint32_t add_leaf(const Object& object, const Context& own) {
     FlatLeaf part{&object, own.to_world, own.inverted, own.muted, own.mask, own.gate, none};
     if (own.scenery) {
-      Surface surface{own.texture, own.interior_texture, own.double_illuminate};
+      Surface surface;
+      surface.texture = own.texture;
+      surface.interior_texture = own.interior_texture;
+      surface.double_illuminate = own.double_illuminate;
+      surface.uv_mapping = own.uv_mapping;
+      if (object.mesh != nullptr && !object.mesh->textures.empty()) {
+        surface.part_textures = &object.mesh->textures;
+        if (!own.uv_mapping) surface.part_transform = own.to_world;
+      }
       if (surface.texture.texture == none) surface.texture = {default_texture_, {}};
       part.leaf = static_cast<std::uint32_t>(flat_.leaves.size());
       flat_.leaves.push_back({surfaces_.add(surface), own.interior, object.origin});

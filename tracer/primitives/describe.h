@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "scene/object.h"
 #include "scene/type_info.h"
 #include "tracer/primitives/typed_store.h"
 
@@ -22,9 +23,21 @@ struct PrimitiveType : scene::TypeInfo {
   /// inside (radius 0 and the like).
   std::optional<ShapeRef> (*place)(TypeStores& stores, std::span<const double> args,
                                    const Transform& to_world, bool inverted) = nullptr;
+  /// The same for an object that is a scene::Mesh; null for all others.
+  std::optional<ShapeRef> (*place_mesh)(TypeStores& stores,
+                                        const std::shared_ptr<const scene::Mesh>& mesh,
+                                        const Transform& to_world, bool inverted) = nullptr;
   /// Operands of typical and odd examples, for the conformance suite.
   std::vector<std::vector<double>> (*samples)() = nullptr;
 };
+
+/// Places an object that is a primitive, whatever its operands are.
+inline std::optional<ShapeRef> place_object(const PrimitiveType& type, TypeStores& stores,
+                                            const scene::Object& object, const Transform& to_world,
+                                            bool inverted) {
+  if (object.mesh != nullptr) return type.place_mesh(stores, object.mesh, to_world, inverted);
+  return type.place(stores, object.args, to_world, inverted);
+}
 
 /// One operand as a member of P.
 template <typename P>
