@@ -202,6 +202,9 @@ std::vector<double> Interpreter::read_operands(const scene::TypeInfo& info, cons
   if (info.validate != nullptr) {
     if (const auto problem = info.validate(args)) fail(Code::degenerate, word.span, *problem);
   }
+  if (info.doubt != nullptr) {
+    if (const auto doubt = info.doubt(args)) warn(Code::degenerate, word.span, *doubt);
+  }
   return args;
 }
 

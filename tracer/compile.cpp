@@ -30,7 +30,7 @@ bool all_supported(const scene::Scene& scene, const Geometry& geometry, Diagnost
     if (interior != scene::none) report.check_interior(interior);
   }
   if (scene.sky_sphere) {
-    for (const scene::Pigment& p : scene.sky_sphere->pigments) report.check_pigment(p);
+    for (const scene::Pigment& p : scene.sky_sphere->pigments) report.check_sky_pigment(p);
   }
   return !diagnostics.has_errors();
 }

@@ -1,5 +1,8 @@
 #include "tracer/flatten.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cstring>
 #include <optional>
 #include <string_view>
@@ -159,6 +162,9 @@ class Flattener {
         if (!own.uv_mapping) surface.part_transform = own.to_world;
       }
       if (surface.texture.texture == none) surface.texture = {default_texture_, {}};
+      if (primitive_infos()[object.type]->lacks_uv && needs_uv(surface)) {
+        report(object, fmt::format("`uv_mapping` of a `{}`", primitive_infos()[object.type]->name));
+      }
       part.leaf = static_cast<std::uint32_t>(flat_.leaves.size());
       flat_.leaves.push_back({surfaces_.add(surface), own.interior, object.origin});
     }
@@ -255,10 +261,24 @@ class Flattener {
     return static_cast<std::uint32_t>(flat_.nodes.size() - 1);
   }
 
+  [[nodiscard]] bool needs_uv(const Surface& surface) const {
+    const auto by_uv = [&](scene::TextureId id) {
+      if (id == none) return false;
+      const auto& layers = scene_.textures[id].layers;
+      return std::any_of(layers.begin(), layers.end(),
+                         [](const scene::Layer& l) { return l.pigment.uv_mapping; });
+    };
+    return surface.uv_mapping || by_uv(surface.texture.texture) ||
+           by_uv(surface.interior_texture.texture);
+  }
+
   void report(scene::ObjectId id, const Object& object) {
     if (!reported_.insert(id).second) return;
-    const std::string_view what =
-        object.unsupported.empty() ? std::string_view("object") : object.unsupported;
+    report(object,
+           object.unsupported.empty() ? std::string_view("object") : object.unsupported);
+  }
+
+  void report(const Object& object, std::string_view what) {
     Diagnostic d;
     d.code = Code::not_supported;
     d.span = scene_.origins[object.origin].span;

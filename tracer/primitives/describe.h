@@ -139,6 +139,8 @@ constexpr auto flag(std::string_view name, std::string_view doc) {
 ///   static constexpr std::array params{positional<&P::x>("x", "what it is"), …};
 ///   static std::vector<P> samples();
 ///   std::optional<std::string> problem() const;         optional: what is wrong with the operands
+///   static constexpr bool lacks_uv = true;              optional: see TypeInfo
+///   std::optional<std::string> doubt() const;           optional: what deserves a warning
 /// and either is a Shape itself or has
 ///   std::optional<Framed<Shape>> shape() const;         none: nothing to see
 template <typename P>
@@ -151,6 +153,10 @@ constexpr PrimitiveType describe(std::string_view name, std::string_view doc) {
     type.validate = [](std::span<const double> args) {
       return detail::from_args<P>(args).problem();
     };
+  }
+  if constexpr (requires { P::lacks_uv; }) type.lacks_uv = P::lacks_uv;
+  if constexpr (requires(const P& p) { p.doubt(); }) {
+    type.doubt = [](std::span<const double> args) { return detail::from_args<P>(args).doubt(); };
   }
   if constexpr (requires(const P& p) { p.shape(); }) {
     using Shape = decltype(P{}.shape()->shape);
@@ -173,6 +179,12 @@ constexpr PrimitiveType describe(std::string_view name, std::string_view doc) {
     for (const P& p : P::samples()) all.push_back(detail::to_args(p));
     return all;
   };
+  return type;
+}
+
+/// The same type, marked as one that has no inside.
+constexpr PrimitiveType patch(PrimitiveType type) {
+  type.is_patch = true;
   return type;
 }
 
