@@ -24,6 +24,8 @@
 
 namespace durer::interpreter {
 
+class MeshBuilder;
+
 /// Unwinds the interpreter after an error has been reported; never leaves `interpret`.
 struct Failure {};
 
@@ -296,6 +298,24 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   bool starts_object(const Token& token) const;
   scene::Object read_primitive(std::uint32_t type, const Token& word);
   std::vector<double> read_operands(const scene::TypeInfo& info, const Token& word);
+  // ---- meshes.cpp
+  scene::Object read_mesh(std::uint32_t type, const Token& word);
+  scene::Object read_mesh2(std::uint32_t type, const Token& word);
+  void read_mesh_triangle(MeshBuilder& builder, const Token& word);
+  void read_mesh2_vectors(MeshBuilder& builder, const Token& word);
+  void read_mesh2_faces(MeshBuilder& builder, const Token& word);
+  void read_mesh2_textures(MeshBuilder& builder, std::size_t face);
+  void read_mesh2_indices(MeshBuilder& builder, const Token& word);
+  scene::Object finish_mesh(std::uint32_t type, const Token& word, MeshBuilder& builder);
+  template <typename Start, typename Read>
+  void read_counted(std::string_view block, Start&& start, Read&& read);
+  dvec2 read_uv();
+  scene::Triple read_triple(std::size_t limit, std::string_view what);
+  std::uint32_t to_index(double value, std::size_t limit, std::string_view what, Span span);
+  scene::TextureId read_listed_texture();
+  bool starts_float(const Token& token);
+  [[noreturn]] void missing_indices(std::string_view block, const Token& word);
+
   scene::Object read_csg(scene::NodeKind kind, const Token& word);
   scene::ObjectId read_object_modifiers(scene::Object object, const Token& word, Span opened);
   bool object_modifier(scene::Object& object, const Token& token);
