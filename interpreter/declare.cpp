@@ -54,6 +54,7 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
   // is still open then. The old value stays visible while the new one is worked out.
   const std::uint32_t scope = env_.scope();
   Slot* const existing = node.local ? env_.find_in_scope(node.name, scope) : env_.find(node.name);
+  if (node.subscripts.count == 0) check_not_function(env_.find(node.name), node.target);
   Value value;
   bool semicolon = node.semicolon;
   if (node.value != ast::none) {
@@ -88,6 +89,7 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
     if (node.local && slot->scope != scope && first_defined(**array) != nullptr) return;
     Value* target =
         element(node.name, read_subscripts(tree, node.subscripts), node.target, true, false);
+    if (target->get<Shared<UserFunction>>() != nullptr) function_stays(node.name, node.target);
     store(*target, std::move(value), true, array->get(), node.target);
     return;
   }

@@ -14,6 +14,10 @@
 #include "grammar/ast.h"
 #include "scene/scene.h"
 
+namespace durer::functions {
+class Spline;
+}
+
 namespace durer::interpreter {
 
 /// One to five components: float, uv-vector, vector, four-vector, colour (language §2.1).
@@ -83,6 +87,7 @@ struct ColourMap {
 /// The written state of a camera, before angle and look_at are worked out (shading §2.2).
 struct CameraSpec;
 class DataFile;
+struct UserFunction;
 
 /// A value of a kind that this version knows but cannot use yet. It may be declared and passed
 /// around; whoever uses it gets an error that names `feature`.
@@ -99,7 +104,8 @@ struct Value {
       std::variant<std::monostate, Num, Shared<Text>, std::shared_ptr<Array>, MacroRef, ObjectRef,
                    TextureRef, Shared<scene::Pigment>, Shared<scene::Finish>, Shared<ColourMap>,
                    InteriorRef, Shared<Material>, Shared<Transform>, Shared<CameraSpec>,
-                   Shared<scene::SkySphere>, std::shared_ptr<DataFile>, Shared<Unsupported>>;
+                   Shared<scene::SkySphere>, std::shared_ptr<DataFile>, Shared<UserFunction>,
+                   Shared<functions::Spline>, Shared<Unsupported>>;
   Node node;
 
   Value() = default;
