@@ -15,8 +15,7 @@ namespace durer::functions {
 
 /// Why a function cannot be built. The builder goes on with a harmless value.
 enum class BuildProblem {
-  division_by_zero,       // by a constant
-  log_of_non_positive,    // of a constant
+  division_by_zero,       // of a variable by a constant written without parentheses
   constant_zeroth_power,  // pow(x, 0): a warning; the value is 1
   too_deep,               // calls or nested select, sum, prod
   too_large,              // instructions

@@ -165,7 +165,12 @@ Interpreter::Subscripts Interpreter::read_subscripts(const ast::Tree& tree, ast:
   Subscripts out;
   for (std::uint32_t i = 0; i < list.count; ++i) {
     const ast::ExprId id = tree.expr_lists[list.first + i];
-    if (!out.add({evaluate(tree, id, 1).v[0], tree.exprs[id].span})) {
+    const Num subscript = evaluate(tree, id, 1);
+    if (subscript.length != 1) {
+      fail(Code::wrong_kind, tree.exprs[id].span,
+           fmt::format("expected a float as subscript, found {}", kind_name(subscript)));
+    }
+    if (!out.add({subscript.v[0], tree.exprs[id].span})) {
       fail(Code::limit, tree.exprs[id].span, "an array access has at most 20 subscripts");
     }
   }

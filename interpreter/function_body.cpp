@@ -348,9 +348,8 @@ void Interpreter::FunctionReader::check(Span span) {
   if (!problem) return;
   switch (*problem) {
     case BuildProblem::division_by_zero:
-      in_.fail(Code::evaluation, span, "this divides by the constant 0");
-    case BuildProblem::log_of_non_positive:
-      in_.fail(Code::evaluation, span, "the logarithm of a constant that is not positive");
+      in_.fail(Code::evaluation, span, "this divides by the constant 0",
+               "where infinity is meant, put the 0 in parentheses");
     case BuildProblem::constant_zeroth_power:
       in_.warn(Code::evaluation, span, "the power 0 of anything is 1");
       return;

@@ -179,9 +179,16 @@ functions::Value Interpreter::FunctionReader::loop(bool product, Span span, Argu
   }
   const functions::Value from = arguments.value();
   const functions::Value to = arguments.value();
-  names_.push_back({register_of(counter), builder_.loop_begin(product, from, to)});
+  const functions::Value turn = builder_.loop_begin(product, from, to);
+  if (is_register(counter)) {
+    in_.warn(Code::evaluation, span,
+             fmt::format("`{}` is a parameter here, not the counter", in_.name_of(counter)),
+             "choose another name for the counter");
+  } else {
+    names_.push_back({counter, turn});
+  }
   const functions::Value body = arguments.value();
-  names_.pop_back();
+  if (!is_register(counter)) names_.pop_back();
   if (arguments.more()) {
     wrong_count(product ? "prod" : "sum", "4 arguments: counter, first, last, term", 5, span);
   }

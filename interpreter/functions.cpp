@@ -112,8 +112,13 @@ std::vector<SymbolId> Interpreter::read_parameters() {
 /// `internal(N) }`: one of the built-in shapes and noises (builtin-functions §4).
 Value Interpreter::read_internal_function(Span span) {
   next();
-  const Span at = peek().span;
-  const double n = std::trunc(read_scalar("number of an internal function"));
+  const Token number = next();
+  const auto* inner = number.node<ast::Paren>();
+  if (inner == nullptr) {
+    unexpected(number, "`(N)` and nothing else after `internal`");
+  }
+  const Span at = number.span;
+  const double n = std::trunc(evaluate(*number.tree, inner->inner, 1).v[0]);
   constexpr auto count = functions::internal_functions.size();
   if (!(n >= 0 && n < static_cast<double>(count))) {
     fail(Code::out_of_range, at, fmt::format("there is no internal function {:g}", n),

@@ -40,13 +40,16 @@ std::shared_ptr<const Spline> Interpreter::read_spline(Span span) {
     next();
   }
   optional_comma();
+  functions::SplineValue components{};
   while (peek().kind != Token::Kind::close) {
     if (accept_punct(';')) continue;
     Spline::Entry entry;
     entry.key = read_scalar("key");
     optional_comma();
     const Num value = read_full(2);
-    entry.value = value.v;
+    // Components that an entry does not have are those of the one before it, as it was written.
+    std::copy_n(value.v.begin(), value.length, components.begin());
+    entry.value = components;
     dimension = std::max(dimension, value.length);
     entries.push_back(entry);
     optional_comma();
