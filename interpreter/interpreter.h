@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "functions/evaluate.h"
 #include "grammar/ast.h"
 #include "grammar/vocabulary.h"
 #include "interpreter/environment.h"
@@ -25,6 +26,9 @@
 namespace durer::interpreter {
 
 class MeshBuilder;
+
+/// "1 argument", "3 arguments"; for messages.
+[[nodiscard]] std::string argument_count(std::size_t n);
 
 /// Unwinds the interpreter after an error has been reported; never leaves `interpret`.
 struct Failure {};
@@ -221,12 +225,29 @@ class Interpreter {
   void note_use(const Slot* slot, Span span);
   Value* lookup(const ast::Tree& tree, ast::ExprId id, bool must_exist);
   Num read_components(const ast::Tree& tree, ast::Range components, Span span);
-  [[noreturn]] void call_value(const Value& v, Span span);
+  Num call_value(const Value& v, const ast::Tree& tree, const ast::Expr& call, int length);
   [[nodiscard]] static Value copy_of(const Value& v);
   void append_text(const ast::Tree& tree, ast::ExprId id, Text& out, bool file_name = false);
   [[nodiscard]] static SymbolId text_function(const ast::Tree& tree, ast::ExprId id);
   void decode_literal(std::string_view bytes, Span span, bool file_name, Text& out);
   [[noreturn]] void unknown_name(SymbolId name, Span span);
+
+  // ---- functions.cpp, function_body.cpp, function_calls.cpp, splines.cpp
+  class FunctionReader;
+  friend class FunctionReader;
+  Value read_function(Span span);
+  void check_not_function(Slot* slot, Span span);
+  [[noreturn]] void function_stays(SymbolId name, Span span);
+  std::vector<SymbolId> read_parameters();
+  Value read_internal_function(Span span);
+  Value read_special_function(Span span);
+  scene::Pigment read_pattern(const Token& word);
+  functions::Function compile_function(std::span<const SymbolId> parameters);
+  Num call_function(const UserFunction& f, const ast::Tree& tree, const ast::Expr& e, int length);
+  std::size_t read_arguments(const ast::Tree& tree, const ast::Expr& e, std::span<double> out);
+  [[nodiscard]] int noise_generator() const;
+  std::shared_ptr<const functions::Spline> read_spline(Span span);
+  Num call_spline(const functions::Spline& spline, const ast::Tree& tree, const ast::Expr& e);
 
   // ---- builtins.cpp: the functions of the language
   class Args;
@@ -405,6 +426,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   std::unordered_map<SymbolId, std::uint32_t> param_words_;
 
   std::vector<std::uint32_t> streams_;  // states of rand()
+  functions::Workspace workspace_;      // of calls of functions
   scene::Scene scene_;
   scene::TextureId default_texture_ = scene::none;
   scene::TextureId own_texture_ = scene::none;  // made by the object statement being read
