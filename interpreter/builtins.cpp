@@ -26,6 +26,20 @@ std::int32_t to_int(double v) {
   if (!(v > -2147483649.0 && v < 2147483648.0)) return INT32_MIN;
   return static_cast<std::int32_t>(v);
 }
+
+/// `v` turned about the unit vector `k` by `angle` radians: Rodrigues' matrix, with products and
+/// sums in the order that gives the oracle's last bits.
+dvec3 rotate_about(dvec3 v, dvec3 k, double angle) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  const dvec3 x(k.x * k.x + c * (1 - k.x * k.x), k.x * k.y * (1 - c) + k.z * s,
+                k.x * k.z * (1 - c) - k.y * s);
+  const dvec3 y(k.x * k.y * (1 - c) - k.z * s, k.y * k.y + c * (1 - k.y * k.y),
+                k.y * k.z * (1 - c) + k.x * s);
+  const dvec3 z(k.x * k.z * (1 - c) + k.y * s, k.y * k.z * (1 - c) - k.x * s,
+                k.z * k.z + c * (1 - k.z * k.z));
+  return v.x * x + v.y * y + v.z * z + dvec3(0.0);
+}
 }  // namespace
 
 /// The arguments of one call, whether they are plain expressions or have to be read item by item.
@@ -175,7 +189,7 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
     case w::degrees: return number(args.full() / radians_per_degree);
     case w::radians: return number(args.full() * radians_per_degree);
     case w::exp: return number(std::exp(args.full()));
-    case w::int_: return number(std::trunc(args.full()));
+    case w::int_: return number(to_int(args.full()));
     case w::ln:
     case w::log: {
       const double x = args.full();
@@ -302,15 +316,13 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
     }
     case w::vrotate: {
       const dvec3 a = args.vector();
-      return vector(Transform::rotate_deg(args.vector()).vector(a));
+      return vector(Transform::rotate_deg(args.vector()).point(a));  // no -0
     }
     case w::vaxis_rotate: {
       const dvec3 v = args.vector();
       const dvec3 axis = args.vector();
       const double angle = args.number() * radians_per_degree;
-      const dvec3 k = axis / glm::length(axis);
-      return vector(v * std::cos(angle) + glm::cross(k, v) * std::sin(angle) +
-                    k * glm::dot(k, v) * (1 - std::cos(angle)));
+      return vector(rotate_about(v, axis * (1 / glm::length(axis)), angle));
     }
     case w::trace: {
       const scene::ObjectId id = object_argument(tree, args.expression(), e.span);
@@ -346,8 +358,8 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
     }
     case w::vturbulence: {
       functions::Octaves octaves;
-      octaves.lambda = args.number();
-      octaves.omega = args.number();
+      octaves.lambda = static_cast<float>(args.number());
+      octaves.omega = static_cast<float>(args.number());
       octaves.count = std::clamp(args.integer(), 1, 10);
       return vector(functions::vturbulence(args.vector(), octaves));
     }
@@ -437,7 +449,7 @@ Text Interpreter::call_text_builtin(const ast::Tree& tree, const ast::Expr& e, S
     }
     case w::vstr: {
       const int n = std::clamp(args.integer(), 2, 5);
-      // A float is not replicated here (language §3.3).
+      // A float is not replicated here (language §3.3); after `.y` the other slots show (§2.4).
       const Num v = args.any();
       const Text separator = args.text();
       const int width = args.integer();
@@ -446,7 +458,7 @@ Text Interpreter::call_text_builtin(const ast::Tree& tree, const ast::Expr& e, S
       for (int i = 0; i < n; ++i) {
         if (i > 0) t += separator;
         t += from_bytes(
-            format_number(i < v.length ? v.v[static_cast<std::size_t>(i)] : 0.0, width, decimals));
+            format_number(v.v[static_cast<std::size_t>(i)], width, decimals));
       }
       return done(t);
     }

@@ -31,6 +31,14 @@ void match_lengths(Num& a, Num& b) {
   if (b.length < a.length) stretch(b, a.length);
 }
 
+/// What parentheses leave: their content is read without knowing the length wanted, then a float
+/// fills it and a shorter vector is padded with zeros.
+Num widened(Num n, int length) {
+  if (n.length == 1) return Num::filled(n.v[0], length);
+  if (n.length < length) n.length = length;
+  return n;
+}
+
 double truth(bool b) { return b ? 1.0 : 0.0; }
 
 double apply(ast::Op op, double a, double b) {
@@ -40,10 +48,10 @@ double apply(ast::Op op, double a, double b) {
     case ast::Op::mul: return a * b;
     case ast::Op::div: return b == 0 ? std::numeric_limits<double>::infinity() : a / b;
     case ast::Op::lt: return truth(a < b);
-    case ast::Op::le: return truth(a < b || std::abs(a - b) <= epsilon);
-    case ast::Op::eq: return truth(std::abs(a - b) <= epsilon);
-    case ast::Op::ne: return truth(!(std::abs(a - b) <= epsilon));
-    case ast::Op::ge: return truth(a > b || std::abs(a - b) <= epsilon);
+    case ast::Op::le: return truth(a < b || !(std::abs(a - b) > epsilon));
+    case ast::Op::eq: return truth(!(std::abs(a - b) > epsilon));  // true for NaN, as in the oracle
+    case ast::Op::ne: return truth(std::abs(a - b) > epsilon);
+    case ast::Op::ge: return truth(a > b || !(std::abs(a - b) > epsilon));
     case ast::Op::gt: return truth(a > b);
     case ast::Op::and_: return truth(std::abs(a) > epsilon && std::abs(b) > epsilon);
     case ast::Op::or_: return truth(std::abs(a) > epsilon || std::abs(b) > epsilon);
@@ -229,7 +237,8 @@ Num Interpreter::evaluate_closed(const ast::Tree& tree, ast::ExprId id, int leng
     case number: return Num::filled(std::get_if<ast::Number>(&e.node)->value, length);
     case string: fail(Code::wrong_kind, e.span, "expected a number or vector, found a string");
     case name: return evaluate_name(e, std::get_if<ast::Name>(&e.node)->name, length);
-    case paren: return evaluate_full(tree, std::get_if<ast::Paren>(&e.node)->inner, length);
+    case paren:
+      return widened(evaluate_full(tree, std::get_if<ast::Paren>(&e.node)->inner, 1), length);
     case vector: return evaluate_vector(tree, *std::get_if<ast::Vector>(&e.node), e.span);
     case unary_: {
       const auto& u = *std::get_if<ast::Unary>(&e.node);
@@ -358,9 +367,9 @@ Num Interpreter::evaluate_open(const ast::Tree& tree, const ast::Expr& e, const 
   }
   Nested part(*this, tree, g.items);
   if (g.kind == Kind::paren) {
-    const Num n = read_full(length);
+    const Num n = read_full(1);
     part.finish("`)`");
-    return n.length == 1 ? Num::filled(n.v[0], length) : n;
+    return widened(n, length);
   }
   Num n;
   n.length = 0;

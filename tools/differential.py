@@ -29,8 +29,8 @@ import programs
 SAMPLE = programs.ROOT / "tests" / "differential" / "sample.json"
 LIMIT = 20.0  # seconds per program
 AT_ONCE = 8   # POV-Ray spends most of its half second asleep
-END = "=end="
-NUMBER = re.compile(r"-(?=nan)")  # the sign of NaN is an accident of the compiler
+START, END = "=start=", "=end="
+NAN = re.compile(r"-(?=nan)")  # the sign of NaN is an accident of the compiler
 
 
 @dataclass(frozen=True)
@@ -42,15 +42,15 @@ class Printed:
     line: int
 
 
-def with_end(source: str) -> str:
-    """The source with a last line by which a complete run is known."""
-    return f'{source}\n#debug "\\n{END}\\n"\n'
+def framed(source: str) -> str:
+    """The source between two messages that mark its text and show a complete run; no line moves."""
+    return f'#debug "{START}\\n" {source}\n#debug "\\n{END}\\n"\n'
 
 
 def ask_oracle(scene: Path) -> Printed:
     command = [programs.oracle_path() or "povray", f"+I{scene.name}", "-D", "-F", "+W1", "+H1", "-A", "-GR", "-GS", "-GW"]
     done = programs.run(command, scene.parent, LIMIT)
-    text = done.err.partition("==== [Parsing...]")[2].partition("\n")[2]
+    text = re.sub(r"^==== \[.*\n", "", done.err.partition(f"{START}\n")[2], flags=re.MULTILINE)
     if done.timed_out:
         return Printed(text, "timed out", 0)
     printed, ended, _ = text.partition(f"\n{END}\n")
@@ -67,7 +67,7 @@ def ask_durer(scene: Path) -> Printed:
     with tempfile.NamedTemporaryFile() as debug:
         command = [str(programs.durer_path()), f"+I{scene.name}", "-F", "+W1", "+H1", "-GA", "+GF", f"Debug_File={debug.name}"]
         done = programs.run(command, scene.parent, LIMIT)
-        text = Path(debug.name).read_text("utf-8", "replace")
+        text = Path(debug.name).read_text("utf-8", "replace").removeprefix(f"{START}\n")
     if done.timed_out:
         return Printed(text, "timed out", 0)
     if done.code < 0:
@@ -82,9 +82,9 @@ def ask_durer(scene: Path) -> Printed:
 def same(oracle: str, durer: str, begins: bool = False) -> bool:
     """Whether both printed the same; `begins`: at least as far as the oracle came."""
     if any(len(line) >= 76 for text in (oracle, durer) for line in text.split("\n")):
-        one, two = (re.sub(r"\s+", "", NUMBER.sub("", text)) for text in (oracle, durer))
+        one, two = (re.sub(r"\s+", "", NAN.sub("", text)) for text in (oracle, durer))
     else:
-        one, two = (NUMBER.sub("", text).strip("\n") for text in (oracle, durer))
+        one, two = (NAN.sub("", text).strip("\n") for text in (oracle, durer))
     return two.startswith(one) if begins else one == two
 
 
@@ -96,11 +96,14 @@ def verdict(oracle: Printed, durer: Printed) -> str:
         if durer.error is not None:
             return "rejected"
         return "same" if same(oracle.text, durer.text) else "text"
+    place = durer.error is not None and oracle.line == durer.line
     if not same(oracle.text, durer.text, begins=True):
-        return "text"
+        if place and same(durer.text, oracle.text, begins=True):
+            return "both fail"  # what cannot be parsed is found before anything is executed
+        return "rejected" if durer.error and same(durer.text, oracle.text, begins=True) else "text"
     if durer.error is None:
         return "lenient"
-    return "both fail" if oracle.line == durer.line or not oracle.line else "place"
+    return "both fail" if place or not oracle.line else "place"
 
 
 BAD = ("text", "rejected", "crash")
@@ -109,7 +112,7 @@ BAD = ("text", "rejected", "crash")
 def compare(source: str) -> tuple[str, Printed, Printed]:
     with tempfile.TemporaryDirectory(prefix="durer-") as folder:
         scene = Path(folder) / "program.pov"
-        scene.write_text(with_end(source), "utf-8")
+        scene.write_text(framed(source), "utf-8")
         oracle = ask_oracle(scene)
         durer = ask_durer(scene)
     return verdict(oracle, durer), oracle, durer
@@ -179,8 +182,8 @@ def run(args: argparse.Namespace) -> int:
                 bad.append((seed, source, what))
                 print(f"{seed}: {what}: oracle {oracle.error or 'fine'} (line {oracle.line}), "
                       f"durer {durer.error or 'fine'} (line {durer.line})", flush=True)
-                if what == "text" and len(bad) <= args.reduce:
-                    show_difference(oracle, durer)
+                if what == "text":
+                    show_difference(source, oracle, durer)
     for seed, source, what in bad[:args.reduce]:
         small = reduce(source, what)
         found = compare(small)
@@ -189,10 +192,12 @@ def run(args: argparse.Namespace) -> int:
     return 1 if any(counts[what] for what in BAD) else 0
 
 
-def show_difference(oracle: Printed, durer: Printed) -> None:
+def show_difference(source: str, oracle: Printed, durer: Printed) -> None:
     for one, two in zip(oracle.text.strip("\n").split("\n"), durer.text.strip("\n").split("\n")):
         if one != two:
-            print(f"   oracle {one}\n   durer  {two}")
+            tag = f'concat("{one.partition(":")[0]}: "'
+            cause = next((line.strip() for line in source.split("\n") if tag in line), "")
+            print(f"   {cause}\n   oracle {one}\n   durer  {two}")
             return
 
 
@@ -230,7 +235,7 @@ def check(_: argparse.Namespace) -> int:
     def one(case: dict) -> str:
         with tempfile.TemporaryDirectory(prefix="durer-") as folder:
             scene = Path(folder) / "program.pov"
-            scene.write_text(with_end(case["source"]), "utf-8")
+            scene.write_text(framed(case["source"]), "utf-8")
             durer = ask_durer(scene)
         return verdict(Printed(case["prints"], "error" if case["fails"] else None, 0), durer) \
             if durer.error != "timed out" else "crash"

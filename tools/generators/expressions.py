@@ -3,7 +3,7 @@
 from generators.writer import Writer
 
 LITERALS = ("0", "1", "2", "3", "7", "10", "0.5", ".25", "1.", "1e1", "2.5e-1", "1.e2", "007", "1e", "3.14159",
-            "0.1", "0.2", "0.3", "1e-10", "1e-11", "123456.789", "90", "45", "1e12")
+            "0.1", "0.2", "0.3", "1e-10", "1e-11", "123456.789", "90", "45", "1e6")
 CONSTANTS = ("pi", "true", "no", "on", "off", "yes", "false", "clock", "clock_on", "version", "image_width")
 ONE = ("abs", "ceil", "floor", "int", "cos", "sin", "tan", "atan", "degrees", "radians", "sinh", "cosh", "tanh",
        "asinh", "asin", "acos")
@@ -15,6 +15,8 @@ COLOUR_COMPONENTS = ("red", "green", "blue", "filter", "transmit", "gray", "x", 
 
 def piece(w: Writer) -> None:
     """Declares a variable or prints an expression, a few times."""
+    if w.chance(0.1):
+        turbulence(w)
     for _ in range(w.rng.randint(1, 4)):
         kind = w.pick(("f", "f", "f", "v3", "v3", "v2", "v4"))
         text = of_kind(w, kind, w.rng.randint(1, 4))
@@ -205,17 +207,21 @@ def literal(w: Writer, length: int, depth: int) -> str:
 
 
 def _vector_call(w: Writer, depth: int) -> str:
-    kind = w.rng.randint(0, 4)
+    kind = w.rng.randint(0, 3)
     if kind == 0:
         return f"vcross({promoted(w, depth)}, {promoted(w, depth)})"
     if kind == 1:
         return f"vnormalize({promoted(w, depth)})"
     if kind == 2:
         return f"vrotate({promoted(w, depth)}, {promoted(w, depth)})"
-    if kind == 3:
-        return f"vaxis_rotate({promoted(w, depth)}, {promoted(w, depth)} + <0.1,0.2,0.3>, {number(w, depth)})"
-    return f"vturbulence({w.pick(('2', '1.5'))}, {w.pick(('0.5', '0.7'))}, {w.rng.randint(0, 11)}, " \
-           f"<{w.rng.uniform(-5, 5):.3f}, {w.rng.uniform(-5, 5):.3f}, {w.rng.uniform(-5, 5):.3f}>)"
+    return f"vaxis_rotate({promoted(w, depth)}, {promoted(w, depth)} + <0.1,0.2,0.3>, {number(w, depth)})"
+
+
+def turbulence(w: Writer) -> None:
+    """Printed with fewer digits: the order in which noise is summed shows in the last."""
+    point = ", ".join(f"{w.rng.uniform(-5, 5):.3f}" for _ in range(3))
+    w.line(f'#debug concat("turbulence ", vstr(3, vturbulence({w.pick(("2", "1.5"))}, {w.pick(("0.5", "0.7"))}, '
+           f'{w.rng.randint(0, 11)}, <{point}>), " ", 0, 9), "\\n")')
 
 
 def colour(w: Writer, depth: int) -> str:

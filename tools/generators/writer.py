@@ -61,6 +61,6 @@ class Writer:
         if kind == "s":
             return f'"[", {text}, "]"'
         if kind == "f":
-            return f"str({text}, 0, {self.pick((9, 9, 6, 12))})"
+            return f"str({text}, 0, {self.pick((9, 6, 12, 16))})"
         length = {"v2": 2, "v3": 3, "v4": 4, "c": 5}[kind]
-        return f'vstr({length}, {text}, ",", 0, {self.pick((6, 8)) if length < 5 else 6})'
+        return f'vstr({length}, {text}, ",", 0, {self.pick((6, 8, 15)) if length < 5 else 6})'
