@@ -55,7 +55,7 @@ def _switch(w: Writer, depth: int) -> None:
             w.line(f"  #case ({w.pick((str(w.rng.randint(0, 5)), expressions.number(w, 0)))})")
         else:
             low = w.rng.randint(-2, 4)
-            w.line(f"  #range ({low}{w.pick((', ', ' '))}{low + w.rng.randint(0, 3)})")
+            w.line(f"  #range ({low}, {low + w.rng.randint(0, 3)})")
         _body(w, depth)
         if w.chance(0.6):
             w.line("  #break")

@@ -104,7 +104,7 @@ def _statements(w: Writer) -> None:
     w.line(f"  #ifdef (Hidden) #debug \"hidden\\n\" #end")
     w.line("#end")
     for _ in range(w.rng.randint(1, 2)):
-        w.line(f"{name}({strings.string(w, 1)}{w.pick((', ', ' '))}{expressions.vector(w, 3, 1)})")
+        w.line(f"{name}({strings.string(w, 1)}, {expressions.vector(w, 3, 1)})")
     w.line(f"#ifdef (Both) #debug \"leaked\\n\" #end")
 
 
@@ -112,7 +112,8 @@ def _dynamic(w: Writer) -> None:
     """Names are looked up through the callers."""
     inner, outer, name = w.fresh("I"), w.fresh("O"), w.fresh("Z")
     w.line(f"#declare {name} = 1;")
-    w.line(f"#macro {inner}() #{w.pick(('declare', 'local'))} {name} = {name} + 1; ({name}) #end")
+    change = w.pick((f"#declare {name} = {name} + 1;", f"#local {name} = 5;", f"#local Old = {name}; #local {name} = Old + 1;"))
+    w.line(f"#macro {inner}() {change} ({name}) #end")
     w.line(f"#macro {outer}() #{w.pick(('declare', 'local'))} {name} = 50; #local R = {inner}(); (R + {name}/1000) #end")
     w.show("f", f"({outer}())")
     w.show("f", name)

@@ -26,13 +26,18 @@ def _retype(w: Writer) -> None:
 
 
 def _shadow(w: Writer) -> None:
+    """Assignments to one name at three levels, as variable or parameter.
+
+    The old value is read into a name of its own: POV-Ray makes the new local before it reads.
+    """
     name, inner, outer = w.fresh("H"), w.fresh("I"), w.fresh("O")
     word = lambda: w.pick(("declare", "local"))
+    by_parameter = w.chance(0.5)
     w.line(f"#{word()} {name} = 1;")
-    w.line(f"#macro {inner}({w.pick(('', name))}) #{word()} {name} = {name}*3 + 1; #debug concat(str({name},0,1), \"\\n\") #end"
-           .replace("(" + name + ") #", f"({name}) #"))
-    call = f"{inner}({w.pick((name, f'({name})', '8'))})" if f"{inner}({name})" in w.lines[-1] else f"{inner}()"
-    w.line(f"#macro {outer}() #{word()} {name} = 20; {call} #{word()} {name} = {name} + 5; {call} #end")
+    w.line(f"#macro {inner}({name if by_parameter else ''}) #local Old = {name}; #{word()} {name} = Old*3 + 1; "
+           f'#debug concat(str({name}, 0, 1), "\\n") #end')
+    call = f"{inner}({w.pick((name, f'({name})', '8')) if by_parameter else ''})"
+    w.line(f"#macro {outer}() #{word()} {name} = 20; {call} #{word()} {name} = 7; {call} #end")
     w.line(f"{outer}() {call}")
     w.show("f", name)
 
