@@ -301,7 +301,7 @@ scene::Object Interpreter::finish_mesh(std::uint32_t type, const Token& word,
   o.kind = scene::NodeKind::primitive;
   o.type = type;
   o.origin = origin(word.span);
-  o.mesh = std::make_shared<const scene::Mesh>(builder.finish());
+  o.extras.edit().mesh = std::make_shared<const scene::Mesh>(builder.finish());
   return o;
 }
 
