@@ -1,5 +1,6 @@
 #include "tracer/accel/triangle_tree.h"
 
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
@@ -11,7 +12,7 @@ namespace durer::tracer {
 namespace {
 
 using Float8 = float __attribute__((vector_size(32)));
-using Int8 = std::int32_t __attribute__((vector_size(32)));
+using Byte8 = std::int8_t __attribute__((vector_size(8)));
 using Float4 = float __attribute__((vector_size(16)));
 using Double4 = double __attribute__((vector_size(32)));
 using Long4 = std::int64_t __attribute__((vector_size(32)));
@@ -85,11 +86,18 @@ DURER_INLINE std::size_t push_children(const TriangleTree::Node& node, const Box
   exit = less_of(exit, slab(ray.far_plane[1], 1));
   exit = less_of(exit, slab(ray.far_plane[2], 2));
   exit = less_of(exit, Float8{} + limit);
-  const Int8 met = enter <= exit;
+  // One byte per child, so that only those which are met are looked at.
+  const Byte8 met = __builtin_convertvector(enter <= exit, Byte8);
+  std::uint64_t left;
+  std::memcpy(&left, &met, sizeof left);
+  std::array<float, TriangleTree::width> depth;
+  std::memcpy(depth.data(), &enter, sizeof depth);
   const std::size_t bottom = top;
-  for (std::size_t i = 0; i < TriangleTree::width; ++i) {
-    if (met[i] == 0) continue;
-    const Waiting w{node.child[i], enter[i]};
+  while (left != 0) {
+    const auto bit = static_cast<std::size_t>(std::countr_zero(left));
+    const std::size_t i = bit / 8;
+    left &= ~(std::uint64_t{0xFF} << bit);
+    const Waiting w{node.child[i], depth[i]};
     std::size_t at = top++;
     for (; at > bottom && stack[at - 1].depth < w.depth; --at) stack[at] = stack[at - 1];
     stack[at] = w;
