@@ -7,6 +7,7 @@
 
 #include "functions/simd/inline.h"
 #include "tracer/accel/box_tree.h"
+#include "tracer/accel/sheared_ray.h"
 
 namespace durer::tracer {
 namespace {
@@ -105,28 +106,26 @@ DURER_INLINE std::size_t push_children(const TriangleTree::Node& node, const Box
   return top;
 }
 
-struct Vec4 {
-  Double4 x, y, z;
-};
-
-/// Calls on_hit(lane) for every triangle of the block that the line passes through. The sign of an
-/// edge is the exact opposite when seen from the neighbour, so lines cannot slip through between.
+/// Calls on_hit(lane) for every triangle of the block that the line passes through.
 template <typename OnHit>
-DURER_INLINE void pierce(const TriangleTree::Block& block, const Ray& ray, OnHit&& on_hit) {
-  const auto corner = [&](std::size_t i) DURER_LAMBDA_INLINE {
-    return Vec4{load4(block.corners[i].data()) - ray.o.x, load4(block.corners[i + 1].data()) - ray.o.y,
-                load4(block.corners[i + 2].data()) - ray.o.z};
+DURER_INLINE void pierce(const TriangleTree::Block& block, const ShearedRay& ray, OnHit&& on_hit) {
+  struct Shadow {
+    Double4 x, y;
   };
-  const Vec4 a = corner(0);
-  const Vec4 b = corner(3);
-  const Vec4 c = corner(6);
-  const auto side = [&](const Vec4& p, const Vec4& q) DURER_LAMBDA_INLINE {
-    return (p.y * q.z - p.z * q.y) * ray.d.x + (p.z * q.x - p.x * q.z) * ray.d.y +
-           (p.x * q.y - p.y * q.x) * ray.d.z;
+  const auto shadow = [&](int first) DURER_LAMBDA_INLINE {
+    const auto component = [&](int axis) DURER_LAMBDA_INLINE {
+      return load4(block.corners[static_cast<std::size_t>(first + axis)].data());
+    };
+    const Double4 z = component(ray.z) - ray.o.z;
+    return Shadow{(component(ray.x) - ray.o.x) - ray.sx * z,
+                  (component(ray.y) - ray.o.y) - ray.sy * z};
   };
-  const Double4 u = side(b, c);
-  const Double4 v = side(c, a);
-  const Double4 w = side(a, b);
+  const Shadow a = shadow(0);
+  const Shadow b = shadow(3);
+  const Shadow c = shadow(6);
+  const Double4 u = b.x * c.y - b.y * c.x;
+  const Double4 v = c.x * a.y - c.y * a.x;
+  const Double4 w = a.x * b.y - a.y * b.x;
   const Double4 zero{};
   const Long4 hit = (((u >= zero) & (v >= zero) & (w >= zero)) |
                      ((u <= zero) & (v <= zero) & (w <= zero))) &
@@ -177,8 +176,9 @@ DURER_INLINE std::optional<TriangleTree::Hit> nearest_in(const TriangleTree& tre
                                                          double t_from, double t_to) {
   TriangleTree::Hit best{t_to, 0};
   bool found = false;
+  const ShearedRay sheared(ray);
   walk(tree, ray, t_from, t_to, [&](const TriangleTree::Block& block) DURER_LAMBDA_INLINE {
-    pierce(block, ray, [&](std::size_t lane) {
+    pierce(block, sheared, [&](std::size_t lane) {
       double t;
       if (!plane_depth(block, lane, ray, t) || !(t >= t_from)) return;
       const std::uint32_t face = block.face[lane];
@@ -194,8 +194,9 @@ DURER_INLINE std::optional<TriangleTree::Hit> nearest_in(const TriangleTree& tre
 
 DURER_INLINE void all_in(const TriangleTree& tree, const Ray& ray, double t_from, double t_to,
                          std::vector<TriangleTree::Hit>& out) {
+  const ShearedRay sheared(ray);
   walk(tree, ray, t_from, t_to, [&](const TriangleTree::Block& block) DURER_LAMBDA_INLINE {
-    pierce(block, ray, [&](std::size_t lane) {
+    pierce(block, sheared, [&](std::size_t lane) {
       double t;
       if (!plane_depth(block, lane, ray, t) || !(t >= t_from && t < t_to)) return;
       out.push_back({t, block.face[lane]});
