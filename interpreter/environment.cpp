@@ -11,9 +11,7 @@ Slot* Environment::find_in_scope(SymbolId name, std::uint32_t scope) const {
   return nullptr;
 }
 
-Value* Environment::value_of(Slot* slot) {
-  if (slot == nullptr) return nullptr;
-  if (slot->target == nullptr) return &slot->value;
+Value* Environment::referred(Slot* slot) {
   Value* v = value_of(slot->target);
   for (const std::size_t index : slot->path) {
     auto* array = v == nullptr ? nullptr : v->get<std::shared_ptr<Array>>();
@@ -32,8 +30,7 @@ Slot& Environment::insert(SymbolId name, std::uint32_t scope) {
     slot = &slots_.emplace_back();
   } else {
     slot = free_.back();
-    free_.pop_back();
-    *slot = Slot{};
+    free_.pop_back();  // close_scope has emptied it
   }
   slot->name = name;
   slot->scope = scope;
@@ -85,6 +82,9 @@ void Environment::close_scope() {
     owned_.pop_back();
     unlink(*s);
     s->value = Value{};
+    s->target = nullptr;
+    s->path.clear();
+    if (s->deprecated) s->deprecated.reset();
     free_.push_back(s);
   }
   scope_begin_.pop_back();

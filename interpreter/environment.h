@@ -44,7 +44,11 @@ class Environment {
   [[nodiscard]] Slot* find_in_scope(SymbolId name, std::uint32_t scope) const;
 
   /// What the slot stands for; follows references. Null if it has no value.
-  [[nodiscard]] static Value* value_of(Slot* slot);
+  [[nodiscard]] static Value* value_of(Slot* slot) {
+    if (slot == nullptr || slot->target == nullptr) return slot == nullptr ? nullptr : &slot->value;
+    return slot->path.empty() && slot->target->target == nullptr ? &slot->target->value
+                                                                 : referred(slot);
+  }
 
   /// The slot that `#local name` writes: the one of the current scope, else a new one in it.
   Slot& for_local(SymbolId name) { return in_scope(name, scope()); }
@@ -68,6 +72,7 @@ class Environment {
   [[nodiscard]] std::vector<SymbolId> visible_names() const;
 
  private:
+  [[nodiscard]] static Value* referred(Slot* slot);
   Slot& insert(SymbolId name, std::uint32_t scope);
   void unlink(Slot& slot);
 
