@@ -18,6 +18,15 @@ Value value_of(functions::Function tape, bool is_vector, Span declared) {
       UserFunction{std::make_shared<const functions::Function>(std::move(tape)), is_vector,
                    declared})};
 }
+
+/// The feature that keeps a pigment from being evaluated, or null.
+const std::string* unsupported_in(const scene::Pigment& pigment) {
+  if (!pigment.unsupported.empty()) return &pigment.unsupported;
+  for (const scene::Pigment& child : pigment.children) {
+    if (const std::string* feature = unsupported_in(child)) return feature;
+  }
+  return nullptr;
+}
 }  // namespace
 
 std::string argument_count(std::size_t n) {
@@ -144,13 +153,13 @@ Value Interpreter::read_special_function(Span span) {
   const bool is_pattern = word.word == w::pattern;
   const scene::Pigment pigment = is_pattern ? read_pattern(word) : read_pigment({});
   expect_close("function", span);
-  if (!pigment.unsupported.empty()) {
-    return {std::make_shared<const Unsupported>(Unsupported{pigment.unsupported, word.span})};
+  if (const std::string* feature = unsupported_in(pigment)) {
+    return {std::make_shared<const Unsupported>(Unsupported{*feature, word.span})};
   }
   if (options_.pigments == nullptr) not_supported("asking a pigment for its colour", word.span);
   return value_of(functions::make_external_function(
-                      is_pattern ? options_.pigments->pattern_function(pigment)
-                                 : options_.pigments->pigment_function(pigment)),
+                      is_pattern ? options_.pigments->pattern_function(scene_, pigment)
+                                 : options_.pigments->pigment_function(scene_, pigment)),
                   !is_pattern, span);
 }
 
