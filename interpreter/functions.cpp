@@ -14,9 +14,8 @@ namespace w = grammar::words;
 
 namespace {
 Value value_of(functions::Function tape, bool is_vector, Span declared) {
-  return {std::make_shared<const UserFunction>(
-      UserFunction{std::make_shared<const functions::Function>(std::move(tape)), is_vector,
-                   declared})};
+  return {std::make_shared<const UserFunction>(UserFunction{
+      std::make_shared<const functions::Function>(std::move(tape)), is_vector, declared})};
 }
 
 /// The feature that keeps a pigment from being evaluated, or null.
@@ -41,8 +40,8 @@ void Interpreter::check_not_function(Slot* slot, Span span) {
 }
 
 void Interpreter::function_stays(SymbolId name, Span span) {
-  fail(Code::wrong_kind, span, fmt::format("`{}` is a function and cannot be redeclared",
-                                           name_of(name)),
+  fail(Code::wrong_kind, span,
+       fmt::format("`{}` is a function and cannot be redeclared", name_of(name)),
        fmt::format("`#undef {}` first, or choose another name", name_of(name)));
 }
 
@@ -75,9 +74,9 @@ std::vector<SymbolId> Interpreter::read_parameters() {
   std::vector<SymbolId> names;
   const auto add = [&](const Token& t) {
     const auto* name = t.node<ast::Name>();
-    const bool is_register = name != nullptr && (name->name == w::x || name->name == w::y ||
-                                                 name->name == w::z || name->name == w::u ||
-                                                 name->name == w::v);
+    const bool is_register =
+        name != nullptr && (name->name == w::x || name->name == w::y || name->name == w::z ||
+                            name->name == w::u || name->name == w::v);
     if (name == nullptr || (symbols_.reserved(name->name) && !is_register)) {
       fail(Code::unexpected_item, t.span,
            fmt::format("expected the name of a parameter, found {}", describe(t)),
@@ -90,8 +89,8 @@ std::vector<SymbolId> Interpreter::read_parameters() {
                        name_of(name->name)));
     }
     if (names.size() == UserFunction::max_parameters) {
-      fail(Code::limit, t.span, fmt::format("a function has at most {} parameters",
-                                            UserFunction::max_parameters));
+      fail(Code::limit, t.span,
+           fmt::format("a function has at most {} parameters", UserFunction::max_parameters));
     }
     names.push_back(name->name);
   };
