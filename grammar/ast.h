@@ -175,12 +175,23 @@ struct Undef {
   Range subscripts;
 };
 
+/// What a body comes to, as far as its text tells. Most bodies of loops and macros are no part of a
+/// block: those run as plain statements, without delivering tokens one by one.
+struct Body : Range {
+  enum class Shape : std::uint8_t {
+    open,        // anything
+    statements,  // directives complete in themselves, and nothing else
+    value,       // the same, and one expression at the end
+  };
+  Shape shape = Shape::open;
+};
+
 /// One branch of an #if chain. `condition` is a Paren or OpenGroup(paren) expression.
 struct Branch {
   enum class Kind : std::uint8_t { if_, ifdef, ifndef, else_ };
   Kind kind = Kind::if_;
   ExprId condition = none;  // if_: the condition; ifdef, ifndef: a Name or an Index
-  Range items;
+  Body items;
   Span span;
 };
 struct If {
@@ -188,21 +199,21 @@ struct If {
 };  // Tree::branches
 struct While {
   ExprId condition = none;
-  Range items;
+  Body items;
 };
 struct For {
   SymbolId name = 0;
   ExprId start = none;
   ExprId end = none;
   ExprId step = none;
-  Range items;
+  Body items;
 };
 struct Case {
   enum class Kind : std::uint8_t { case_, range, else_ };
   Kind kind = Kind::case_;
   ExprId low = none;  // case_: the Paren; range: the first bound
   ExprId high = none;
-  Range items;
+  Body items;
   Span span;
 };
 struct Switch {
@@ -216,8 +227,10 @@ struct Param {
 struct Macro {
   SymbolId name = 0;
   Range params;
-  Range items;
+  Body items;
   Span head;
+  /// Shape::value: the value is one operand, so that operators next to a call cannot reach into it.
+  bool atomic = false;
 };  // Tree::params
 struct Break {};
 /// `#include "x"`, `#version 3.7;`, `#debug`, `#warning`, `#error`, `#render`, `#statistics`.

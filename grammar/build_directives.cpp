@@ -1,6 +1,8 @@
 // The part of the builder that makes directives and their bodies.
 #include "grammar/builder.h"
 
+#include <algorithm>
+
 namespace durer::grammar {
 
 using ast::ExprId;
@@ -126,11 +128,64 @@ void Builder::open_body(Span head) {
   ++frames_.back().bodies;
 }
 
-ast::Range Builder::close_body() {
-  const ast::Range items = take_items();
+ast::Body Builder::close_body() {
+  ast::Body body{take_items()};
+  body.shape = shape_of(body);
   frames_.pop_back();
-  return items;
+  return body;
 }
+
+ast::Body::Shape Builder::shape_of(ast::Range items) const {
+  using Shape = ast::Body::Shape;
+  for (std::uint32_t i = 0; i < items.count; ++i) {
+    const ast::Item& item = tree_->items[items.first + i];
+    if (is_statement(item)) continue;
+    const bool last = i + 1 == items.count;
+    return last && item.kind == ast::ItemKind::expr ? Shape::value : Shape::open;
+  }
+  return Shape::statements;
+}
+
+/// True for directives whose operands and bodies hold all they need: running one neither delivers
+/// nor takes any token.
+bool Builder::is_statement(const ast::Item& item) const {
+  if (item.kind != ast::ItemKind::directive) return false;
+  using Shape = ast::Body::Shape;
+  const auto& node = tree_->directives[item.ref].node;
+  if (const auto* d = std::get_if<ast::Declare>(&node)) return d->value != ast::none;
+  if (const auto* d = std::get_if<ast::Message>(&node)) return d->value != ast::none;
+  if (const auto* d = std::get_if<ast::Version>(&node)) return d->value != ast::none;
+  if (const auto* d = std::get_if<ast::While>(&node)) return d->items.shape == Shape::statements;
+  if (const auto* d = std::get_if<ast::For>(&node)) return d->items.shape == Shape::statements;
+  if (const auto* d = std::get_if<ast::If>(&node)) {
+    const auto* from = tree_->branches.data() + d->branches.first;
+    return std::all_of(from, from + d->branches.count, [](const ast::Branch& b) {
+      return b.items.shape == Shape::statements;
+    });
+  }
+  if (const auto* d = std::get_if<ast::Switch>(&node)) {
+    const auto* from = tree_->cases.data() + d->cases.first;
+    return std::all_of(from, from + d->cases.count, [](const ast::Case& c) {
+      return c.items.shape == Shape::statements;
+    });
+  }
+  return std::holds_alternative<ast::Undef>(node) || std::holds_alternative<ast::Break>(node) ||
+         std::holds_alternative<ast::Macro>(node);
+}
+
+namespace {
+/// An operand into which no operator beside it can reach.
+bool is_atomic(const ast::Tree& tree, ast::ExprId id) {
+  const auto& node = tree.exprs[id].node;
+  if (const auto* call = std::get_if<ast::Call>(&node)) {
+    const auto* callee = std::get_if<ast::Name>(&tree.exprs[call->callee].node);
+    return callee != nullptr && callee->name < words::count_;  // else it may be a macro in turn
+  }
+  return std::holds_alternative<ast::Number>(node) || std::holds_alternative<ast::Name>(node) ||
+         std::holds_alternative<ast::Paren>(node) || std::holds_alternative<ast::Vector>(node) ||
+         std::holds_alternative<ast::Index>(node);
+}
+}  // namespace
 
 void Builder::begin_if(std::string_view head, ast::Branch::Kind kind) {
   const Span where = token_span(head);
@@ -237,12 +292,16 @@ void Builder::begin_macro(std::string_view head) {
 }
 
 void Builder::end_loop_or_macro() {
-  const ast::Range items = close_body();
+  const ast::Body items = close_body();
   Pending p = std::move(pending_.back());
   pending_.pop_back();
   if (auto* loop = std::get_if<ast::While>(&p.directive.node)) loop->items = items;
   if (auto* loop = std::get_if<ast::For>(&p.directive.node)) loop->items = items;
-  if (auto* macro = std::get_if<ast::Macro>(&p.directive.node)) macro->items = items;
+  if (auto* macro = std::get_if<ast::Macro>(&p.directive.node)) {
+    macro->items = items;
+    macro->atomic = items.shape == ast::Body::Shape::value &&
+                    is_atomic(*tree_, tree_->items[items.first + items.count - 1].ref);
+  }
   push_directive(std::move(p.directive));
 }
 

@@ -217,7 +217,9 @@ class Builder {
   void push_directive(ast::Directive d);
   ast::Directive& last_directive();
   void open_body(Span head);
-  ast::Range close_body();
+  ast::Body close_body();
+  [[nodiscard]] ast::Body::Shape shape_of(ast::Range items) const;
+  [[nodiscard]] bool is_statement(const ast::Item& item) const;
   void finish_branch();
   void finish_case();
 

@@ -10,7 +10,7 @@ namespace {
 
 /// Two values may live in one array if they are of the same kind, and numbers of the same length.
 bool same_kind(const Value& a, const Value& b) {
-  if (a.node.index() != b.node.index()) return false;
+  if (!same_alternative(a, b)) return false;
   const Num* x = a.get<Num>();
   const Num* y = b.get<Num>();
   return x == nullptr || x->length == y->length;
@@ -23,13 +23,30 @@ const Value* first_defined(const Array& array) {
   return nullptr;
 }
 
+/// An expression that cannot yield anything but a number or vector.
+bool is_number(const ast::Expr& e) {
+  return std::holds_alternative<ast::Binary>(e.node) ||
+         std::holds_alternative<ast::Number>(e.node) || std::holds_alternative<ast::Vector>(e.node);
+}
+
 }  // namespace
 
 /// Assigns; colours lose precision on the way, as colour variables are 32-bit (language §2).
+void Interpreter::store_number(Value& target, Num n) {
+  if (n.length == 5) {
+    for (double& x : n.v) x = static_cast<float>(x);
+  }
+  target.set(n);
+}
+
 void Interpreter::store(Value& target, Value value, bool is_element, const Array* array,
                         Span span) {
   if (Num* n = value.get<Num>(); n != nullptr && n->length == 5) {
     for (double& x : n->v) x = static_cast<float>(x);
+  }
+  if (!is_element && value.is_num()) {
+    target.set(*value.get<Num>());
+    return;
   }
   if (is_element && array != nullptr) {
     const Value* first = target.defined() ? &target : first_defined(*array);
@@ -43,6 +60,25 @@ void Interpreter::store(Value& target, Value value, bool is_element, const Array
   target = std::move(value);
 }
 
+/// The commonest assignment by far: of a formula to a variable that holds a number already. False,
+/// with nothing evaluated, if it is anything else.
+bool Interpreter::assign_number(const ast::Tree& tree, const ast::Declare& node) {
+  if (node.value == ast::none || node.subscripts.count > 0 || node.deprecated) return false;
+  if (!node.semicolon && version() >= 350) return false;
+  if (!is_number(tree.exprs[node.value])) return false;
+  Slot* slot = node.local ? env_.find_in_scope(node.name, env_.scope()) : env_.find(node.name);
+  if (slot == nullptr || slot->target != nullptr || slot->deprecated || !slot->value.is_num()) {
+    return false;
+  }
+  Num n;
+  n.length = work_out(tree, node.value, 1, n.v.data());
+  if (slot->name != node.name || slot->target != nullptr) {  // gone meanwhile: a macro undefined it
+    slot = &env_.in_scope(node.name, node.local ? env_.scope() : 0);
+  }
+  store_number(slot->value, n);
+  return true;
+}
+
 void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Declare& node) {
   (void)d;
   if (symbols_.reserved(node.name)) {
@@ -50,10 +86,12 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
          fmt::format("`{}` is a word of the language and cannot be declared", name_of(node.name)),
          "choose another name; names that start with a capital letter are always free");
   }
+  if (assign_number(tree, node)) return;
   // Where the value goes is settled first: its last operand may stand inside a macro, whose scope
   // is still open then. The old value stays visible while the new one is worked out.
   const std::uint32_t scope = env_.scope();
   Slot* const existing = node.local ? env_.find_in_scope(node.name, scope) : env_.find(node.name);
+  if (node.subscripts.count == 0) check_not_function(env_.find(node.name), node.target);
   Value value;
   bool semicolon = node.semicolon;
   if (node.value != ast::none) {
@@ -88,6 +126,7 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
     if (node.local && slot->scope != scope && first_defined(**array) != nullptr) return;
     Value* target =
         element(node.name, read_subscripts(tree, node.subscripts), node.target, true, false);
+    if (target->get<Shared<UserFunction>>() != nullptr) function_stays(node.name, node.target);
     store(*target, std::move(value), true, array->get(), node.target);
     return;
   }
@@ -112,7 +151,7 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
     auto note = std::make_shared<Deprecation>();
     note->once = node.deprecated_once;
     note->message = node.deprecated_message != ast::none
-                        ? to_bytes(evaluate_text(tree, node.deprecated_message))
+                        ? evaluate_text(tree, node.deprecated_message).bytes()
                         : fmt::format("`{}` is deprecated", name_of(node.name));
     slot.deprecated = std::move(note);
   }
@@ -163,7 +202,12 @@ Interpreter::Subscripts Interpreter::read_subscripts(const ast::Tree& tree, ast:
   Subscripts out;
   for (std::uint32_t i = 0; i < list.count; ++i) {
     const ast::ExprId id = tree.expr_lists[list.first + i];
-    if (!out.add({evaluate(tree, id, 1).v[0], tree.exprs[id].span})) {
+    const Num subscript = evaluate(tree, id, 1);
+    if (subscript.length != 1) {
+      fail(Code::wrong_kind, tree.exprs[id].span,
+           fmt::format("expected a float as subscript, found {}", kind_name(subscript)));
+    }
+    if (!out.add({subscript.v[0], tree.exprs[id].span})) {
       fail(Code::limit, tree.exprs[id].span, "an array access has at most 20 subscripts");
     }
   }
@@ -286,71 +330,106 @@ std::shared_ptr<Array> Interpreter::read_array(Span span) {
 
 // ---- macro calls -------------------------------------------------------------------------------
 
+/// Evaluates one argument, into a slot that waits for the scope of the macro to open.
+void Interpreter::add_argument(const ast::Tree& tree, ast::ExprId arg) {
+  const ast::Expr& e = tree.exprs[arg];
+  // A bare name or array element goes by reference (language §4.6).
+  if (const auto* name = std::get_if<ast::Name>(&e.node);
+      name != nullptr && !symbols_.reserved(name->name)) {
+    Slot* target = env_.find(name->name);
+    const Value* v = Environment::value_of(target);
+    if (v == nullptr || !v->defined()) unknown_name(name->name, e.span);
+    if (target->target != nullptr && target->path.empty()) target = target->target;
+    Slot& slot = env_.make();
+    slot.target = target;
+    arguments_.push_back(&slot);
+  } else if (const auto array_name = array_of(e)) {
+    const auto list = read_subscripts(tree, arg);
+    element(*array_name, list, e.span, false);  // must exist
+    Slot& slot = env_.make();
+    slot.target = env_.find(*array_name);
+    Value* v = Environment::value_of(slot.target);
+    for (std::size_t used = 0; used < list.size();) {
+      Array& array = **v->get<std::shared_ptr<Array>>();
+      slot.path.push_back(flat_index(list, array, e.span, used));
+      v = &array.elements[slot.path.back()];
+    }
+    arguments_.push_back(&slot);
+  } else if (is_number(e)) {
+    Num n;
+    n.length = work_out(tree, arg, 1, n.v.data());
+    Slot& slot = env_.make();
+    store_number(slot.value, n);
+    arguments_.push_back(&slot);
+  } else {
+    Value value = evaluate_value(tree, arg);
+    Slot& slot = env_.make();
+    store(slot.value, std::move(value), false, nullptr, e.span);
+    arguments_.push_back(&slot);
+  }
+}
+
+/// Arguments that have to be read item by item.
+void Interpreter::read_open_arguments(const ast::Tree& tree, ast::Range items) {
+  const Nested part(*this, tree, items);
+  while (peek().kind != Token::Kind::end) {
+    const Token t = peek();
+    const auto* name = t.node<ast::Name>();
+    if (name != nullptr ? !symbols_.reserved(name->name)
+                        : t.kind == Token::Kind::expr && array_of(t.expression()).has_value()) {
+      next();
+      if (!at_operator()) {
+        add_argument(*t.tree, t.expr);
+        optional_comma();
+        continue;
+      }
+      unread(t);
+    }
+    Value value = read_value();
+    Slot& slot = env_.make();
+    store(slot.value, std::move(value), false, nullptr, t.span);
+    arguments_.push_back(&slot);
+    optional_comma();
+  }
+}
+
 /// Replaces the call `id` (a Call or an OpenGroup) by the body of its macro.
 void Interpreter::call_macro(const ast::Tree& tree, ast::ExprId id, bool flatten) {
+  const auto* call = std::get_if<ast::Call>(&tree.exprs[id].node);
+  const ast::ExprId callee =
+      call != nullptr ? call->callee : std::get<ast::OpenGroup>(tree.exprs[id].node).callee;
+  const MacroRef ref = *macro_of(tree, callee);
+  const std::size_t depth = frames_.size();
+  const bool runs = ref.macro->items.shape == ast::Body::Shape::statements;
+  ast::Range items = ref.macro->items;
+  if (runs) items.count = 0;
+  enter_macro(tree, id, ref, items, flatten);
+  if (!runs) return;
+  run_statements(*ref.tree, ref.macro->items);  // a #break ends the macro
+  while (frames_.size() > depth) pop();
+}
+
+/// Evaluates the arguments of the call and opens the macro: a frame that delivers `items`, a scope,
+/// the parameters.
+void Interpreter::enter_macro(const ast::Tree& tree, ast::ExprId id, const MacroRef& ref,
+                              ast::Range items, bool flatten) {
   const ast::Expr& e = tree.exprs[id];
-  const auto* call = std::get_if<ast::Call>(&e.node);
-  const auto* open = std::get_if<ast::OpenGroup>(&e.node);
-  const MacroRef ref = *macro_of(tree, call != nullptr ? call->callee : open->callee);
   const ast::Macro& macro = *ref.macro;
-  if (macro_depth_ >= 1000) {
+  tick(e.span);
+  if (macro_depth_ >= options_.limits.macro_depth && options_.limits.macro_depth > 0) {
     fail(Code::limit, e.span,
          fmt::format("macro `{}` calls itself too deeply", name_of(macro.name)),
-         "give the recursion an end: 1000 nested calls are the limit");
+         fmt::format("give the recursion an end: {} calls inside one another are the limit "
+                     "(--max-macro-depth)",
+                     options_.limits.macro_depth));
   }
-
-  // Arguments wait on a stack of their own: evaluating one may call macros in turn.
   const std::size_t first = arguments_.size();
-  const auto add = [&](const ast::Tree& t, ast::ExprId arg) {
-    Argument a;
-    a.span = t.exprs[arg].span;
-    // A bare name or array element goes by reference (language §4.6).
-    if (const auto* name = std::get_if<ast::Name>(&t.exprs[arg].node);
-        name != nullptr && !symbols_.reserved(name->name)) {
-      a.target = env_.find(name->name);
-      const Value* v = Environment::value_of(a.target);
-      if (v == nullptr || !v->defined()) unknown_name(name->name, a.span);
-    } else if (const auto array_name = array_of(t.exprs[arg])) {
-      const auto list = read_subscripts(t, arg);
-      element(*array_name, list, a.span, false);  // must exist
-      a.target = env_.find(*array_name);
-      Value* v = Environment::value_of(a.target);
-      for (std::size_t used = 0; used < list.size();) {
-        Array& array = **v->get<std::shared_ptr<Array>>();
-        a.path.push_back(flat_index(list, array, a.span, used));
-        v = &array.elements[a.path.back()];
-      }
-    } else {
-      a.value = evaluate_value(t, arg);
-    }
-    arguments_.push_back(std::move(a));
-  };
-
-  if (call != nullptr) {
+  if (const auto* call = std::get_if<ast::Call>(&e.node)) {
     for (std::uint32_t i = 0; i < call->args.count; ++i) {
-      add(tree, tree.expr_lists[call->args.first + i]);
+      add_argument(tree, tree.expr_lists[call->args.first + i]);
     }
   } else {
-    const Nested part(*this, tree, open->items);
-    while (peek().kind != Token::Kind::end) {
-      const Token t = peek();
-      const auto* name = t.node<ast::Name>();
-      if (name != nullptr ? !symbols_.reserved(name->name)
-                          : t.kind == Token::Kind::expr && array_of(t.expression()).has_value()) {
-        next();
-        if (!at_operator()) {
-          add(*t.tree, t.expr);
-          optional_comma();
-          continue;
-        }
-        unread(t);
-      }
-      Argument a;
-      a.span = t.span;
-      a.value = read_value();
-      arguments_.push_back(std::move(a));
-      optional_comma();
-    }
+    read_open_arguments(tree, std::get<ast::OpenGroup>(e.node).items);
   }
   const std::size_t given = arguments_.size() - first;
   if (given != macro.params.count) {
@@ -364,26 +443,16 @@ void Interpreter::call_macro(const ast::Tree& tree, ast::ExprId id, bool flatten
     fail(std::move(d));
   }
 
-  Frame f;
-  f.kind = Frame::Kind::macro;
+  Frame& f = push(Frame::Kind::macro, e.span);
   f.flatten = flatten;
   f.tree = ref.tree;
-  f.pos = macro.items.first;
-  f.end = macro.items.first + macro.items.count;
-  f.call = e.span;
+  f.pos = items.first;
+  f.end = items.first + items.count;
   f.name = macro.name;
-  push(f);
   ++macro_depth_;
   env_.open_scope();
   for (std::uint32_t i = 0; i < macro.params.count; ++i) {
-    Slot& slot = env_.add(ref.tree->params[macro.params.first + i].name);
-    Argument& a = arguments_[first + i];
-    if (a.target != nullptr) {
-      slot.target = a.target;
-      slot.path = std::move(a.path);
-    } else {
-      store(slot.value, std::move(a.value), false, nullptr, a.span);
-    }
+    env_.link(*arguments_[first + i], ref.tree->params[macro.params.first + i].name);
   }
   arguments_.resize(first);
 }

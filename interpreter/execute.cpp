@@ -9,9 +9,35 @@
 
 namespace durer::interpreter {
 
+using Shape = ast::Body::Shape;
+
 void Interpreter::execute(const ast::Tree& tree, const ast::Item& item) {
   const ast::Directive& d = tree.directives[item.ref];
-  std::visit([&](const auto& node) { run(tree, d, node); }, d.node);
+  if (run_directive(tree, d) == Flow::broken) break_out(d.span);
+}
+
+Interpreter::Flow Interpreter::run_directive(const ast::Tree& tree, const ast::Directive& d) {
+  return std::visit(
+      [&](const auto& node) {
+        using Node = std::decay_t<decltype(node)>;
+        if constexpr (std::is_same_v<Node, ast::Break>) {
+          return Flow::broken;
+        } else if constexpr (std::is_void_v<decltype(run(tree, d, node))>) {
+          run(tree, d, node);
+          return Flow::normal;
+        } else {
+          return run(tree, d, node);
+        }
+      },
+      d.node);
+}
+
+Interpreter::Flow Interpreter::run_statements(const ast::Tree& tree, ast::Range items) {
+  for (std::uint32_t i = 0; i < items.count; ++i) {
+    const ast::Directive& d = tree.directives[tree.items[items.first + i].ref];
+    if (run_directive(tree, d) == Flow::broken) return Flow::broken;
+  }
+  return Flow::normal;
 }
 
 namespace {
@@ -57,7 +83,8 @@ bool Interpreter::is_defined(const ast::Tree& tree, ast::ExprId id) {
   fail(Code::unexpected_item, e.span, "expected a name");
 }
 
-void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::If& node) {
+Interpreter::Flow Interpreter::run(const ast::Tree& tree, const ast::Directive& d,
+                                   const ast::If& node) {
   (void)d;
   for (std::uint32_t i = 0; i < node.branches.count; ++i) {
     const ast::Branch& b = tree.branches[node.branches.first + i];
@@ -69,14 +96,26 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
       case ast::Branch::Kind::else_: taken = true; break;
     }
     if (!taken) continue;
+    if (b.items.shape == Shape::statements) return run_statements(tree, b.items);
     Frame f = items_frame(Frame::Kind::branch, tree, b.items, frames_.back().flatten);
     f.call = b.span;
     push(f);
-    return;
+    return Flow::normal;
   }
+  return Flow::normal;
 }
 
-void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Switch& node) {
+namespace {
+bool all_statements(const ast::Tree& tree, const ast::Switch& node) {
+  for (std::uint32_t i = 0; i < node.cases.count; ++i) {
+    if (tree.cases[node.cases.first + i].items.shape != Shape::statements) return false;
+  }
+  return true;
+}
+}  // namespace
+
+Interpreter::Flow Interpreter::run(const ast::Tree& tree, const ast::Directive& d,
+                                   const ast::Switch& node) {
   const double value = evaluate_full(tree, node.value, 1).v[0];
   for (std::uint32_t i = 0; i < node.cases.count; ++i) {
     const ast::Case& c = tree.cases[node.cases.first + i];
@@ -89,26 +128,45 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
       matches = low <= value && value <= high;
     }
     if (!matches) continue;
+    if (all_statements(tree, node)) {
+      // Cases fall through, even into #else, until #break (language §4.4).
+      for (std::uint32_t k = i; k < node.cases.count; ++k) {
+        if (run_statements(tree, tree.cases[node.cases.first + k].items) == Flow::broken) break;
+      }
+      return Flow::normal;
+    }
     Frame f = items_frame(Frame::Kind::switch_, tree, c.items, frames_.back().flatten);
     f.node = index_of(tree, d);
     f.next_case = i + 1;
     f.call = d.span;
     push(f);
-    return;
+    return Flow::normal;
   }
+  return Flow::normal;
 }
 
 // ---- loops ------------------------------------------------------------------------------------
 
-void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::While& node) {
-  if (!condition(tree, node.condition)) return;
+Interpreter::Flow Interpreter::run(const ast::Tree& tree, const ast::Directive& d,
+                                   const ast::While& node) {
+  if (node.items.shape == Shape::statements) {
+    const Repeating inside(*this);
+    while (condition(tree, node.condition)) {
+      tick(d.span);
+      if (run_statements(tree, node.items) == Flow::broken) break;
+    }
+    return Flow::normal;
+  }
+  if (!condition(tree, node.condition)) return Flow::normal;
   Frame f = items_frame(Frame::Kind::while_, tree, node.items, frames_.back().flatten);
   f.node = index_of(tree, d);
   f.call = d.span;
   push(f);
+  return Flow::normal;
 }
 
-void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::For& node) {
+Interpreter::Flow Interpreter::run(const ast::Tree& tree, const ast::Directive& d,
+                                   const ast::For& node) {
   const double start = evaluate(tree, node.start, 1).v[0];
   const double end = evaluate(tree, node.end, 1).v[0];
   const double step = node.step == ast::none ? 1.0 : evaluate(tree, node.step, 1).v[0];
@@ -116,14 +174,37 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
     fail(Code::out_of_range, d.span, "the step of `#for` is zero", "give a step other than 0");
   }
   Slot& slot = env_.for_local(node.name);
-  *Environment::value_of(&slot) = Value(Num(start));
-  if (!(step > 0 ? start < end + epsilon : start > end - epsilon)) return;
+  Environment::value_of(&slot)->set(Num(start));
+  if (!(step > 0 ? start < end + epsilon : start > end - epsilon)) return Flow::normal;
+  if (node.items.shape == Shape::statements) {
+    const Repeating inside(*this);
+    do {
+      if (run_statements(tree, node.items) == Flow::broken) break;
+    } while (next_turn(d, node, end, step));
+    return Flow::normal;
+  }
   Frame f = items_frame(Frame::Kind::for_, tree, node.items, frames_.back().flatten);
   f.node = index_of(tree, d);
   f.limit = end;
   f.step = step;
   f.call = d.span;
   push(f);
+  return Flow::normal;
+}
+
+/// Advances the loop variable; false if the loop has ended.
+bool Interpreter::next_turn(const ast::Directive& d, const ast::For& node, double limit,
+                            double step) {
+  tick(d.span);
+  Value* v = Environment::value_of(env_.find(node.name));
+  Num* n = v == nullptr ? nullptr : v->get<Num>();
+  if (n == nullptr || n->length != 1) {
+    fail(Code::wrong_kind, d.span,
+         fmt::format("the loop variable `{}` is no float any more", name_of(node.name)));
+  }
+  // The sum is accumulated, so steps of 0.1 drift exactly as they do in the oracle.
+  n->v[0] += step;
+  return step > 0 ? n->v[0] < limit + epsilon : n->v[0] > limit - epsilon;
 }
 
 /// At the end of a loop body: rewinds `frame` for another round, or returns false.
@@ -132,36 +213,22 @@ bool Interpreter::loop_again(Frame& frame) {
   const ast::Directive& d = tree.directives[frame.node];
   if (const auto* node = std::get_if<ast::While>(&d.node)) {
     const std::size_t depth = frames_.size();
+    tick(d.span);
     if (!condition(tree, node->condition)) return false;
     frames_[depth - 1].pos = frames_[depth - 1].first;  // `frame` may have moved
     return true;
   }
-  const auto& node = std::get<ast::For>(d.node);
-  Value* v = Environment::value_of(env_.find(node.name));
-  Num* n = v == nullptr ? nullptr : v->get<Num>();
-  if (n == nullptr || n->length != 1) {
-    fail(Code::wrong_kind, d.span,
-         fmt::format("the loop variable `{}` is no float any more", name_of(node.name)));
-  }
-  // The sum is accumulated, so steps of 0.1 drift exactly as they do in the oracle.
-  n->v[0] += frame.step;
   const bool again =
-      frame.step > 0 ? n->v[0] < frame.limit + epsilon : n->v[0] > frame.limit - epsilon;
+      next_turn(d, std::get<ast::For>(d.node), frame.limit, frame.step);
   if (again) frame.pos = frame.first;
   return again;
-}
-
-void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Break& node) {
-  (void)tree;
-  (void)node;
-  break_out(d.span);
 }
 
 // ---- messages, versions, the rest --------------------------------------------------------------
 
 void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Message& node) {
   std::string text =
-      to_bytes(node.value == ast::none ? read_text() : evaluate_text(tree, node.value));
+      (node.value == ast::none ? read_text() : evaluate_text(tree, node.value)).bytes();
   using Kind = ast::Message::Kind;
   if (node.kind == Kind::error) fail(Code::user_error, d.span, text.empty() ? "#error" : text);
   if (node.kind == Kind::warning) {

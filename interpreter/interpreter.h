@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,15 +13,22 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "functions/evaluate.h"
 #include "grammar/ast.h"
 #include "grammar/vocabulary.h"
 #include "interpreter/environment.h"
 #include "interpreter/interpret.h"
+#include "interpreter/scalar_code.h"
 #include "interpreter/stream.h"
 #include "interpreter/value.h"
 #include "scene/scene.h"
 
 namespace durer::interpreter {
+
+class MeshBuilder;
+
+/// "1 argument", "3 arguments"; for messages.
+[[nodiscard]] std::string argument_count(std::size_t n);
 
 /// Unwinds the interpreter after an error has been reported; never leaves `interpret`.
 struct Failure {};
@@ -47,10 +55,14 @@ class Interpreter {
   bool step_expansion(Token& token);
   void expand(const ast::Tree& tree, ast::ExprId id, bool flatten);
   void push_pieces(const ast::Tree& tree, ast::ExprId id, bool flatten);
-  [[nodiscard]] bool needs_expansion(const ast::Tree& tree, ast::ExprId id) const;
+  [[nodiscard]] bool needs_expansion(const ast::Tree& tree, ast::ExprId id,
+                                     bool alone = false) const;
+  [[nodiscard]] bool operand_expands(const ast::Tree& tree, ast::ExprId id) const;
+  [[nodiscard]] bool is_macro_call(const ast::Tree& tree, ast::ExprId id) const;
   [[nodiscard]] const MacroRef* macro_named(SymbolId name) const;
   [[nodiscard]] const MacroRef* macro_of(const ast::Tree& tree, ast::ExprId callee) const;
-  void push(Frame frame);
+  Frame& push(Frame::Kind kind, Span call);
+  void push(const Frame& frame);
   void pop();
   void break_out(Span span);
 
@@ -77,24 +89,50 @@ class Interpreter {
   void close_barrier(std::size_t depth, std::size_t unread_base, std::size_t declare_depth);
 
   // ---- execute.cpp, directives/: what directives do
+  /// How running a statement ended. `broken`: a #break left it and looks for what to end.
+  enum class Flow : std::uint8_t { normal, broken };
   void execute(const ast::Tree& tree, const ast::Item& item);
+  /// While it lives, a loop is running that no frame stands for.
+  struct Repeating {
+    explicit Repeating(Interpreter& in) : in_(in) { ++in_.repeats_; }
+    Repeating(const Repeating&) = delete;
+    Repeating& operator=(const Repeating&) = delete;
+    ~Repeating() { --in_.repeats_; }
+    Interpreter& in_;
+  };
+  Flow run_directive(const ast::Tree& tree, const ast::Directive& d);
+  /// Runs items that are statements all (ast::Body::Shape), without delivering anything.
+  Flow run_statements(const ast::Tree& tree, ast::Range items);
   void run(const ast::Tree& tree, const ast::Directive& d, const ast::Declare& node);
   void run(const ast::Tree& tree, const ast::Directive& d, const ast::Undef& node);
-  void run(const ast::Tree& tree, const ast::Directive& d, const ast::If& node);
-  void run(const ast::Tree& tree, const ast::Directive& d, const ast::While& node);
-  void run(const ast::Tree& tree, const ast::Directive& d, const ast::For& node);
-  void run(const ast::Tree& tree, const ast::Directive& d, const ast::Switch& node);
+  Flow run(const ast::Tree& tree, const ast::Directive& d, const ast::If& node);
+  Flow run(const ast::Tree& tree, const ast::Directive& d, const ast::While& node);
+  Flow run(const ast::Tree& tree, const ast::Directive& d, const ast::For& node);
+  Flow run(const ast::Tree& tree, const ast::Directive& d, const ast::Switch& node);
   void run(const ast::Tree& tree, const ast::Directive& d, const ast::Macro& node);
-  void run(const ast::Tree& tree, const ast::Directive& d, const ast::Break& node);
   void run(const ast::Tree& tree, const ast::Directive& d, const ast::Include& node);
   void run(const ast::Tree& tree, const ast::Directive& d, const ast::Version& node);
   void run(const ast::Tree& tree, const ast::Directive& d, const ast::Message& node);
   void run(const ast::Tree& tree, const ast::Directive& d, const ast::Simple& node);
   void run(const ast::Tree& tree, const ast::Directive& d, const ast::Unknown& node);
   bool loop_again(Frame& frame);
+  bool next_turn(const ast::Directive& d, const ast::For& node, double limit, double step);
+  /// Counts a loop turn or macro call against the limits.
+  void tick(Span span) {
+    if (++turns_ >= next_check_) check_limits(span);
+  }
+  void check_limits(Span span);
   bool condition(const ast::Tree& tree, ast::ExprId id);
   bool is_defined(const ast::Tree& tree, ast::ExprId id);
   void call_macro(const ast::Tree& tree, ast::ExprId call, bool flatten);
+  void enter_macro(const ast::Tree& tree, ast::ExprId call, const MacroRef& ref, ast::Range items,
+                   bool flatten);
+  void add_argument(const ast::Tree& tree, ast::ExprId arg);
+  void read_open_arguments(const ast::Tree& tree, ast::Range items);
+  [[nodiscard]] const MacroRef* value_macro(const ast::Tree& tree, ast::ExprId id,
+                                            bool alone) const;
+  template <typename Read>
+  auto macro_value(const ast::Tree& tree, ast::ExprId id, const MacroRef& ref, Read read);
   void bind_argument(Slot& slot, const ast::Tree& tree, ast::ExprId arg);
   struct Subscript {
     double value;
@@ -133,6 +171,8 @@ class Interpreter {
     }
     return std::nullopt;
   }
+  bool assign_number(const ast::Tree& tree, const ast::Declare& node);
+  static void store_number(Value& target, Num n);
   void store(Value& target, Value value, bool is_element, const Array* array, Span span);
   void default_block();
   void set_version(double v, Span span);
@@ -158,14 +198,24 @@ class Interpreter {
   Num evaluate(const ast::Tree& tree, ast::ExprId id, int length);
   /// Full level: a result of one component fills all `length` slots.
   Num evaluate_full(const ast::Tree& tree, ast::ExprId id, int length);
-  Num evaluate_call(const ast::Tree& tree, const ast::Expr& e, const ast::Call& call, int length);
-  Num evaluate_name(const ast::Expr& e, SymbolId name, int length);
+  /// The same in place: `v` has room for five components, zero at first; returns how many count.
+  int work_out(const ast::Tree& tree, ast::ExprId id, int want, double* v);
+  bool quick_float(const ast::Tree& tree, const ast::Expr& e, ast::ExprId id, int want, double& x);
+  int work_out_full(const ast::Tree& tree, ast::ExprId id, int want, double* v);
+  double work_out_float(const ast::Tree& tree, ast::ExprId id, std::string_view what);
+  int work_out_closed(const ast::Tree& tree, const ast::Expr& e, int want, double* v);
+  int work_out_operand(const ast::Tree& tree, const ast::Expr& e, int want, double* v);
+  int work_out_relation(const ast::Tree& tree, const ast::Expr& e, int want, double* v);
+  int work_out_conditional(const ast::Tree& tree, const ast::Expr& e, int want, double* v);
+  int work_out_vector(const ast::Tree& tree, const ast::Vector& list, Span span, double* v);
+  int work_out_call(const ast::Tree& tree, const ast::Expr& e, const ast::Call& call, int want,
+                    double* v);
+  int take_name(SymbolId name, Span span, int want, double* v);
+  int take_value(const Value& value, Span span, int want, double* v);
+  int take_member(double* v, int n, SymbolId name, Span span, int want);
+  int apply_binary(ast::Op op, double* v, int n, double* r, int m, Span span);
+  void warn_division(Span span);
   Num evaluate_open(const ast::Tree& tree, const ast::Expr& e, const ast::OpenGroup& g, int length);
-  Num evaluate_binary(const ast::Tree& tree, const ast::Expr& e, const ast::Binary& b, int length);
-  Num evaluate_conditional(const ast::Tree& tree, const ast::Expr& e, const ast::Conditional& c,
-                           int length);
-  Num evaluate_vector(const ast::Tree& tree, const ast::Vector& v, Span span);
-  Num value_as_num(const Value& v, Span span, int length);
   Num binary(ast::Op op, Num left, Num right, Span span);
   Num unary(ast::Op op, Num operand);
   Num member(Num object, SymbolId member, Span span, int length);
@@ -175,21 +225,42 @@ class Interpreter {
   void note_use(const Slot* slot, Span span);
   Value* lookup(const ast::Tree& tree, ast::ExprId id, bool must_exist);
   Num read_components(const ast::Tree& tree, ast::Range components, Span span);
-  [[noreturn]] void call_value(const Value& v, Span span);
+  Num call_value(const Value& v, const ast::Tree& tree, const ast::Expr& call, int length);
   [[nodiscard]] static Value copy_of(const Value& v);
-  Text decode_literal(std::string_view bytes, Span span, bool file_name);
+  void append_text(const ast::Tree& tree, ast::ExprId id, Text& out, bool file_name = false);
+  [[nodiscard]] static SymbolId text_function(const ast::Tree& tree, ast::ExprId id);
+  void decode_literal(std::string_view bytes, Span span, bool file_name, Text& out);
   [[noreturn]] void unknown_name(SymbolId name, Span span);
+
+  // ---- functions.cpp, function_body.cpp, function_calls.cpp, splines.cpp
+  class FunctionReader;
+  friend class FunctionReader;
+  Value read_function(Span span);
+  void check_not_function(Slot* slot, Span span);
+  [[noreturn]] void function_stays(SymbolId name, Span span);
+  std::vector<SymbolId> read_parameters();
+  Value read_internal_function(Span span);
+  Value read_special_function(Span span);
+  scene::Pigment read_pattern(const Token& word);
+  functions::Function compile_function(std::span<const SymbolId> parameters);
+  Num call_function(const UserFunction& f, const ast::Tree& tree, const ast::Expr& e, int length);
+  std::size_t read_arguments(const ast::Tree& tree, const ast::Expr& e, std::span<double> out);
+  [[nodiscard]] int noise_generator() const;
+  std::shared_ptr<const functions::Spline> read_spline(Span span);
+  Num call_spline(const functions::Spline& spline, const ast::Tree& tree, const ast::Expr& e);
 
   // ---- builtins.cpp: the functions of the language
   class Args;
   friend class Args;
   Num call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
                    std::span<const ast::ExprId> args, const ast::OpenGroup* open, int length);
-  Text call_text_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
-                         std::span<const ast::ExprId> args, const ast::OpenGroup* open);
+  bool float_function(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
+                      std::span<const ast::ExprId> args, double& result);
+void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
+                        std::span<const ast::ExprId> args, const ast::OpenGroup* open, Text& out);
   scene::ObjectId object_argument(const ast::Tree& tree, ast::ExprId id, Span call);
   [[nodiscard]] static double days_since_2000();
-  std::string format_number(double value, int width, int decimals);
+  static void append_number(double value, int width, int decimals, Text& out);
 
   // ---- read.cpp: expressions and values from the stream
   Num read_num(int length);   // additive level
@@ -248,6 +319,24 @@ class Interpreter {
   bool starts_object(const Token& token) const;
   scene::Object read_primitive(std::uint32_t type, const Token& word);
   std::vector<double> read_operands(const scene::TypeInfo& info, const Token& word);
+  // ---- meshes.cpp
+  scene::Object read_mesh(std::uint32_t type, const Token& word);
+  scene::Object read_mesh2(std::uint32_t type, const Token& word);
+  void read_mesh_triangle(MeshBuilder& builder, const Token& word);
+  void read_mesh2_vectors(MeshBuilder& builder, const Token& word);
+  void read_mesh2_faces(MeshBuilder& builder, const Token& word);
+  void read_mesh2_textures(MeshBuilder& builder, std::size_t face);
+  void read_mesh2_indices(MeshBuilder& builder, const Token& word);
+  scene::Object finish_mesh(std::uint32_t type, const Token& word, MeshBuilder& builder);
+  template <typename Start, typename Read>
+  void read_counted(std::string_view block, Start&& start, Read&& read);
+  dvec2 read_uv();
+  scene::Triple read_triple(std::size_t limit, std::string_view what);
+  std::uint32_t to_index(double value, std::size_t limit, std::string_view what, Span span);
+  scene::TextureId read_listed_texture();
+  bool starts_float(const Token& token);
+  [[noreturn]] void missing_indices(std::string_view block, const Token& word);
+
   scene::Object read_csg(scene::NodeKind kind, const Token& word);
   scene::ObjectId read_object_modifiers(scene::Object object, const Token& word, Span opened);
   bool object_modifier(scene::Object& object, const Token& token);
@@ -313,23 +402,22 @@ class Interpreter {
 
   std::vector<Frame> frames_;
   std::vector<Piece> pieces_;
-  /// Of macro calls whose scope is not open yet.
-  struct Argument {
-    Value value;
-    Slot* target = nullptr;  // by reference
-    std::vector<std::size_t> path;
-    Span span;
-  };
-  std::vector<Argument> arguments_;
+  std::vector<Slot*> arguments_;  // of macro calls whose scope is not open yet
   std::vector<Token> unread_;
   std::size_t unread_base_ = 0;    // tokens below belong to an outer reader
   std::size_t declare_depth_ = 0;  // frames when the value of a #declare is being read
   std::size_t macro_depth_ = 0;
+  std::size_t repeats_ = 0;  // loops and macros that are running: what they hold may come again
+  std::uint64_t turns_ = 0;       // of loops, and macro calls
+  std::uint64_t next_check_ = 0;  // turns at which the limits are looked at again
+  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   std::size_t nesting_ = 0;
 
   std::unordered_map<std::string, std::unique_ptr<const ast::Tree>> trees_;
   std::vector<std::unique_ptr<const ast::Tree>> main_trees_;
   std::vector<const ast::Tree*> tree_of_;  // by file
+  std::vector<std::vector<std::uint32_t>> codes_of_;  // by file, expression: 1 + index into codes_
+  std::vector<ScalarCode> codes_;
   std::unordered_set<std::uint64_t> warned_;
 
   // Reserved word → index into the registry.
@@ -338,6 +426,7 @@ class Interpreter {
   std::unordered_map<SymbolId, std::uint32_t> param_words_;
 
   std::vector<std::uint32_t> streams_;  // states of rand()
+  functions::Workspace workspace_;      // of calls of functions
   scene::Scene scene_;
   scene::TextureId default_texture_ = scene::none;
   scene::TextureId own_texture_ = scene::none;  // made by the object statement being read

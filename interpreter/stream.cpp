@@ -14,6 +14,11 @@ namespace {
 constexpr std::size_t max_nesting = 4000;
 constexpr std::size_t max_frames = 20000;
 
+/// True for frames whose text is likely to be met again.
+bool repeats(Frame::Kind kind) {
+  return kind == Frame::Kind::macro || kind == Frame::Kind::for_ || kind == Frame::Kind::while_;
+}
+
 Token mark(Token::Kind kind, Span span) {
   Token t;
   t.kind = kind;
@@ -94,16 +99,23 @@ bool Interpreter::accept_raw_punct(char c) {
   return true;
 }
 
-void Interpreter::push(Frame frame) {
+Frame& Interpreter::push(Frame::Kind kind, Span call) {
   if (frames_.size() >= max_frames) {
-    fail(Code::limit, frame.call, "directives and blocks are nested too deeply",
+    fail(Code::limit, call, "directives and blocks are nested too deeply",
          "is a macro calling itself without end?");
   }
-  frames_.push_back(frame);
+  if (repeats(kind)) ++repeats_;
+  Frame& f = frames_.emplace_back();
+  f.kind = kind;
+  f.call = call;
+  return f;
 }
+
+void Interpreter::push(const Frame& frame) { push(frame.kind, frame.call) = frame; }
 
 void Interpreter::pop() {
   const Frame& f = frames_.back();
+  if (repeats(f.kind)) --repeats_;
   if (f.kind == Frame::Kind::expansion) pieces_.resize(f.pieces);
   if (f.kind == Frame::Kind::macro || f.kind == Frame::Kind::file) {
     if (f.kind == Frame::Kind::macro) --macro_depth_;
@@ -158,7 +170,11 @@ bool Interpreter::step_item(Token& token) {
     case ast::ItemKind::directive: execute(tree, item); return false;
     case ast::ItemKind::expr:
       if (f.flatten || needs_expansion(tree, item.ref)) {
-        expand(tree, item.ref, f.flatten);
+        if (is_macro_call(tree, item.ref)) {
+          call_macro(tree, item.ref, f.flatten);
+        } else {
+          expand(tree, item.ref, f.flatten);
+        }
         return false;
       }
       token.kind = Token::Kind::expr;
@@ -217,34 +233,59 @@ const MacroRef* Interpreter::macro_named(SymbolId name) const {
   return v == nullptr ? nullptr : v->get<MacroRef>();
 }
 
+bool Interpreter::is_macro_call(const ast::Tree& tree, ast::ExprId id) const {
+  const auto& node = tree.exprs[id].node;
+  if (const auto* call = std::get_if<ast::Call>(&node)) return macro_of(tree, call->callee) != nullptr;
+  const auto* open = std::get_if<ast::OpenGroup>(&node);
+  return open != nullptr && open->kind == ast::OpenGroup::Kind::call &&
+         macro_of(tree, open->callee) != nullptr;
+}
+
 const MacroRef* Interpreter::macro_of(const ast::Tree& tree, ast::ExprId callee) const {
   if (callee == ast::none) return nullptr;
   const auto* name = std::get_if<ast::Name>(&tree.exprs[callee].node);
   return name == nullptr ? nullptr : macro_named(name->name);
 }
 
-/// True if a macro call stands at the operator level of the expression, so that the operators next
-/// to it must see the tokens of its body: `2*M(1,2)` with the body `a+b` means 2*1+2. Calls inside
+/// The macro whose call `id` is, if its value can be worked out on the spot: its body is statements
+/// and an expression. Next to operators (`alone` false) only if they cannot reach into the value.
+const MacroRef* Interpreter::value_macro(const ast::Tree& tree, ast::ExprId id, bool alone) const {
+  const auto* call = std::get_if<ast::Call>(&tree.exprs[id].node);
+  if (call == nullptr) return nullptr;
+  const MacroRef* ref = macro_of(tree, call->callee);
+  if (ref == nullptr || ref->macro->items.shape != ast::Body::Shape::value) return nullptr;
+  return alone || ref->macro->atomic ? ref : nullptr;
+}
+
+/// True if a macro call stands at the operator level of the expression and the operators next to it
+/// must see the tokens of its body: `2*M(1,2)` with the body `a+b` means 2*1+2. Calls inside
 /// parentheses, vectors and arguments do not count: those are read by readers of their own.
-bool Interpreter::needs_expansion(const ast::Tree& tree, ast::ExprId id) const {
+/// `alone`: the caller can work out a call that is the whole expression.
+bool Interpreter::needs_expansion(const ast::Tree& tree, ast::ExprId id, bool alone) const {
   const ast::Expr& e = tree.exprs[id];
   if (!e.may_expand) return false;
+  if (const auto* b = std::get_if<ast::Binary>(&e.node)) {
+    return operand_expands(tree, b->left) || operand_expands(tree, b->right);
+  }
   if (const auto* call = std::get_if<ast::Call>(&e.node)) {
-    return macro_of(tree, call->callee) != nullptr;
+    if (macro_of(tree, call->callee) == nullptr) return false;
+    return !alone || value_macro(tree, id, true) == nullptr;
   }
   if (const auto* open = std::get_if<ast::OpenGroup>(&e.node)) {
     return open->kind == ast::OpenGroup::Kind::call && macro_of(tree, open->callee) != nullptr;
   }
-  if (const auto* b = std::get_if<ast::Binary>(&e.node)) {
-    return needs_expansion(tree, b->left) || needs_expansion(tree, b->right);
-  }
-  if (const auto* u = std::get_if<ast::Unary>(&e.node)) return needs_expansion(tree, u->operand);
-  if (const auto* m = std::get_if<ast::Member>(&e.node)) return needs_expansion(tree, m->object);
+  if (const auto* u = std::get_if<ast::Unary>(&e.node)) return operand_expands(tree, u->operand);
+  if (const auto* m = std::get_if<ast::Member>(&e.node)) return operand_expands(tree, m->object);
   if (const auto* c = std::get_if<ast::Conditional>(&e.node)) {
-    return needs_expansion(tree, c->condition) || needs_expansion(tree, c->yes) ||
-           needs_expansion(tree, c->no);
+    return operand_expands(tree, c->condition) || operand_expands(tree, c->yes) ||
+           operand_expands(tree, c->no);
   }
   return false;
+}
+
+bool Interpreter::operand_expands(const ast::Tree& tree, ast::ExprId id) const {
+  return tree.exprs[id].may_expand && needs_expansion(tree, id) &&
+         value_macro(tree, id, false) == nullptr;
 }
 
 void Interpreter::expand(const ast::Tree& tree, ast::ExprId id, bool flatten) {
@@ -334,8 +375,7 @@ bool Interpreter::step_expansion(Token& token) {
                         std::holds_alternative<ast::Unary>(e.node) ||
                         std::holds_alternative<ast::Conditional>(e.node);
   const bool expands = needs_expansion(*p.tree, p.expr);
-  if (expands && (std::holds_alternative<ast::Call>(e.node) ||
-                  std::holds_alternative<ast::OpenGroup>(e.node))) {
+  if (expands && is_macro_call(*p.tree, p.expr)) {
     call_macro(*p.tree, p.expr, p.flatten);
     return false;
   }

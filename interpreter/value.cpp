@@ -17,6 +17,9 @@ std::string_view kind_name(const Value& value) {
     std::string_view operator()(const Shared<Text>&) const { return "a string"; }
     std::string_view operator()(const std::shared_ptr<Array>&) const { return "an array"; }
     std::string_view operator()(MacroRef) const { return "a macro"; }
+    std::string_view operator()(const Shared<Thing>& thing) const {
+      return std::visit(*this, *thing);
+    }
     std::string_view operator()(ObjectRef) const { return "an object"; }
     std::string_view operator()(TextureRef) const { return "a texture"; }
     std::string_view operator()(const Shared<scene::Pigment>&) const { return "a pigment"; }
@@ -28,23 +31,17 @@ std::string_view kind_name(const Value& value) {
     std::string_view operator()(const Shared<CameraSpec>&) const { return "a camera"; }
     std::string_view operator()(const Shared<scene::SkySphere>&) const { return "a sky sphere"; }
     std::string_view operator()(const std::shared_ptr<DataFile>&) const { return "an open file"; }
+    std::string_view operator()(const Shared<UserFunction>&) const { return "a function"; }
+    std::string_view operator()(const Shared<functions::Spline>&) const { return "a spline"; }
     std::string_view operator()(const Shared<Unsupported>& u) const { return u->feature; }
   };
   return std::visit(Visitor{}, value.node);
 }
 
-std::string to_bytes(const Text& text) {
-  std::string s;
-  s.reserve(text.size());
-  for (const char16_t c : text) s += c > 127 ? ' ' : static_cast<char>(c);
-  return s;
-}
-
-Text from_bytes(std::string_view bytes) {
-  Text t;
-  t.reserve(bytes.size());
-  for (const char c : bytes) t += static_cast<char16_t>(static_cast<unsigned char>(c));
-  return t;
+bool same_alternative(const Value& a, const Value& b) {
+  if (a.node.index() != b.node.index()) return false;
+  const auto* x = std::get_if<Shared<Thing>>(&a.node);
+  return x == nullptr || (*x)->index() == (*std::get_if<Shared<Thing>>(&b.node))->index();
 }
 
 }  // namespace durer::interpreter

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -12,7 +14,12 @@
 #include "base/transform.h"
 #include "base/vec.h"
 #include "grammar/ast.h"
+#include "interpreter/text.h"
 #include "scene/scene.h"
+
+namespace durer::functions {
+class Spline;
+}
 
 namespace durer::interpreter {
 
@@ -44,9 +51,6 @@ struct Num {
             static_cast<float>(v[4])};
   }
 };
-
-/// Strings are 16-bit codes (language §1.4).
-using Text = std::u16string;
 
 struct Value;
 
@@ -83,6 +87,7 @@ struct ColourMap {
 /// The written state of a camera, before angle and look_at are worked out (shading §2.2).
 struct CameraSpec;
 class DataFile;
+struct UserFunction;
 
 /// A value of a kind that this version knows but cannot use yet. It may be declared and passed
 /// around; whoever uses it gets an error that names `feature`.
@@ -94,34 +99,74 @@ struct Unsupported {
 template <typename T>
 using Shared = std::shared_ptr<const T>;
 
+/// What only blocks make and use; one allocation each.
+using Thing =
+    std::variant<ObjectRef, TextureRef, Shared<scene::Pigment>, Shared<scene::Finish>,
+                 Shared<ColourMap>, InteriorRef, Shared<Material>, Shared<Transform>,
+                 Shared<CameraSpec>, Shared<scene::SkySphere>, std::shared_ptr<DataFile>,
+                 Shared<UserFunction>, Shared<functions::Spline>, Shared<Unsupported>>;
+
+/// The few kinds that loops copy and overwrite all the time are alternatives of their own; the
+/// others share one, so that copying a value is a short switch.
 struct Value {
-  using Node =
-      std::variant<std::monostate, Num, Shared<Text>, std::shared_ptr<Array>, MacroRef, ObjectRef,
-                   TextureRef, Shared<scene::Pigment>, Shared<scene::Finish>, Shared<ColourMap>,
-                   InteriorRef, Shared<Material>, Shared<Transform>, Shared<CameraSpec>,
-                   Shared<scene::SkySphere>, std::shared_ptr<DataFile>, Shared<Unsupported>>;
+  using Node = std::variant<std::monostate, Num, Shared<Text>, std::shared_ptr<Array>, MacroRef,
+                            Shared<Thing>>;
   Node node;
 
   Value() = default;
   template <typename T>
-  Value(T x) : node(std::move(x)) {}  // NOLINT: values convert freely, as in the language
+  Value(T x) {  // NOLINT: values convert freely, as in the language
+    if constexpr (is_direct<T>) {
+      node = std::move(x);
+    } else {
+      node = std::make_shared<const Thing>(std::move(x));
+    }
+  }
 
   template <typename T>
   [[nodiscard]] const T* get() const {
-    return std::get_if<T>(&node);
+    if constexpr (is_direct<T>) {
+      return std::get_if<T>(&node);
+    } else {
+      const auto* thing = std::get_if<Shared<Thing>>(&node);
+      return thing == nullptr ? nullptr : std::get_if<T>(thing->get());
+    }
   }
+  /// To change it in place; things are shared and never change.
   template <typename T>
-  [[nodiscard]] T* get() {
-    return std::get_if<T>(&node);
+  [[nodiscard]] auto* get() {
+    if constexpr (is_direct<T>) {
+      return std::get_if<T>(&node);
+    } else {
+      return std::as_const(*this).template get<T>();
+    }
   }
   [[nodiscard]] bool defined() const { return node.index() != 0; }
+  [[nodiscard]] bool is_num() const { return node.index() == 1; }
+  void clear() {
+    if (defined()) node.emplace<std::monostate>();
+  }
+  /// Overwrites a number with a number without going through the other kinds.
+  void set(const Num& n) {
+    if (Num* old = std::get_if<Num>(&node)) {
+      *old = n;
+    } else {
+      node = n;
+    }
+  }
+
+ private:
+  template <typename T>
+  static constexpr bool is_direct =
+      std::is_same_v<T, std::monostate> || std::is_same_v<T, Num> ||
+      std::is_same_v<T, Shared<Text>> || std::is_same_v<T, std::shared_ptr<Array>> ||
+      std::is_same_v<T, MacroRef>;
 };
+
+/// True if both are of one kind, whatever their values; numbers of any length are of one kind.
+[[nodiscard]] bool same_alternative(const Value& a, const Value& b);
 
 /// "a float", "a vector", "a string", … for messages.
 [[nodiscard]] std::string_view kind_name(const Value& v);
-
-/// Codes above 127 become spaces, as in every message of the language.
-[[nodiscard]] std::string to_bytes(const Text& text);
-[[nodiscard]] Text from_bytes(std::string_view bytes);
 
 }  // namespace durer::interpreter

@@ -6,6 +6,7 @@ rendering, writing the picture. The first line of a scene says how to render it:
 
     // bench: +W640 +H480 -A; what it measures
 
+A second line `// input: NAME` asks for a file that is too large to keep; it is written into build/bench.
 The pictures are compared too, so that speed is never bought with another picture.
 """
 
@@ -17,10 +18,12 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
+import bench_inputs
 import pictures
 import programs
 
 FOLDER = programs.ROOT / "bench"
+INPUT = re.compile(r"// input: (?P<name>\S+)")
 HEADER = re.compile(r"// bench: (?P<options>[^;]+); (?P<subject>\S.*)")
 LIMIT = 600.0  # seconds
 
@@ -35,12 +38,17 @@ class Timing:
 
 
 def load(scene: Path) -> tuple[list[str], str]:
-    """The options of a benchmark scene and what it measures."""
+    """The options of a benchmark scene and what it measures; provides its inputs."""
     with open(scene, encoding="utf-8") as text:
         found = HEADER.match(text.readline())
+        wanted = INPUT.match(text.readline())
     if not found:
         sys.exit(f"{scene}:1: expected `// bench: OPTIONS; SUBJECT`")
-    return [*found["options"].split(), "-D"], found["subject"].strip()
+    options = [*found["options"].split(), "-D"]
+    if wanted:
+        bench_inputs.provide(wanted["name"])
+        options.append(f"+L{bench_inputs.FOLDER}")
+    return options, found["subject"].strip()
 
 
 def median(runs: list[programs.Run]) -> Timing:
@@ -79,20 +87,20 @@ def main() -> int:
 
 
 def report(scenes: list[Path], count: int) -> int:
-    print(f"{'':<12}|{'wall s':^27}|{'CPU s':^27}|{'peak MiB':^15}|")
+    print(f"{'':<14}|{'wall s':^27}|{'CPU s':^27}|{'peak MiB':^15}|")
     columns = f"{'oracle':>9} {'durer':>8} {'ratio':>7} |"
-    print(f"{'scene':<12}|{columns}{columns}{'oracle':>8} {'durer':>6}| {'dB':>5}  what")
+    print(f"{'scene':<14}|{columns}{columns}{'oracle':>8} {'durer':>6}| {'dB':>5}  what")
     ratios, failures = [], 0
     for scene in scenes:
         options, subject = load(scene)
         found = measure(scene, options, count)
         if isinstance(found, str):
-            print(f"{scene.stem:<12}| {found}", flush=True)
+            print(f"{scene.stem:<14}| {found}", flush=True)
             failures += 1
             continue
         oracle, durer, decibels = found
         ratios.append(oracle.wall / durer.wall)
-        print(f"{scene.stem:<12}|{_pair(oracle.wall, durer.wall)}{_pair(oracle.cpu, durer.cpu)}"
+        print(f"{scene.stem:<14}|{_pair(oracle.wall, durer.wall)}{_pair(oracle.cpu, durer.cpu)}"
               f"{oracle.peak:8.0f} {durer.peak:6.0f}| {pictures.text(decibels):>5}  {subject}", flush=True)
     if ratios:
         mean = math.exp(statistics.fmean(map(math.log, ratios)))
