@@ -44,6 +44,7 @@ struct Fields<Object> {
       field("kind", &Object::kind),
       field("type", &Object::type, Role::primitive),
       field("args", &Object::args, Role::operands),
+      field("mesh", &Object::mesh),
       field("children", &Object::children, Role::id),
       field("light", &Object::light, Role::id),
       field("transform", &Object::transform),
@@ -62,8 +63,24 @@ struct Fields<Object> {
       field("no_radiosity", &Object::no_radiosity),
       field("double_illuminate", &Object::double_illuminate),
       field("sturm", &Object::sturm),
+      field("uv_mapping", &Object::uv_mapping),
       field("origin", &Object::origin, Role::place),
       field("unsupported", &Object::unsupported)};
+};
+
+template <>
+struct Fields<Mesh> {
+  static constexpr std::tuple all{field("vertices", &Mesh::vertices),
+                                  field("normals", &Mesh::normals),
+                                  field("uvs", &Mesh::uvs),
+                                  field("faces", &Mesh::faces),
+                                  field("face_normals", &Mesh::face_normals),
+                                  field("face_uvs", &Mesh::face_uvs),
+                                  field("normals_by_vertex", &Mesh::normals_by_vertex),
+                                  field("uvs_by_vertex", &Mesh::uvs_by_vertex),
+                                  field("textures", &Mesh::textures, Role::id),
+                                  field("face_textures", &Mesh::face_textures),
+                                  field("inside_vector", &Mesh::inside_vector)};
 };
 
 template <>
@@ -148,6 +165,7 @@ struct Fields<Pigment> {
                                   field("phase", &Pigment::phase),
                                   field("wave", &Pigment::wave),
                                   field("wave_exponent", &Pigment::wave_exponent),
+                                  field("uv_mapping", &Pigment::uv_mapping),
                                   field("origin", &Pigment::origin, Role::place),
                                   field("unsupported", &Pigment::unsupported)};
 };
