@@ -97,6 +97,8 @@ TEST_CASE("triangle tree: finds what a loop over all triangles finds", "[tracer]
         CHECK(found->t == Approx(expected->t).epsilon(1e-12));
         CHECK(found->face == expected->face);
       }
+      CHECK(tree.any(ray, 0, 1e9).has_value() == expected.has_value());
+      if (expected) CHECK_FALSE(tree.any(ray, 0, expected->t * (1 - 1e-9)));
       std::vector<TriangleTree::Hit> hits;
       tree.all(ray, -1e9, 1e9, hits);
       CHECK(hits.size() == all);
