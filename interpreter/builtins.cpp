@@ -29,6 +29,19 @@ Num v_of(const double* v, int n) {
   return out;
 }
 
+/// `v` turned about the unit vector `k` by `angle` radians: Rodrigues' matrix, with products and
+/// sums in the order that gives the oracle's last bits.
+dvec3 rotate_about(dvec3 v, dvec3 k, double angle) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  const dvec3 x(k.x * k.x + c * (1 - k.x * k.x), k.x * k.y * (1 - c) + k.z * s,
+                k.x * k.z * (1 - c) - k.y * s);
+  const dvec3 y(k.x * k.y * (1 - c) - k.z * s, k.y * k.y + c * (1 - k.y * k.y),
+                k.y * k.z * (1 - c) + k.x * s);
+  const dvec3 z(k.x * k.z * (1 - c) + k.y * s, k.y * k.z * (1 - c) - k.x * s,
+                k.z * k.z + c * (1 - k.z * k.z));
+  return v.x * x + v.y * y + v.z * z + dvec3(0.0);
+}
 }  // namespace
 
 double Interpreter::days_since_2000() {
@@ -63,7 +76,7 @@ bool Interpreter::float_function(const ast::Tree& tree, const ast::Expr& e, Symb
       case w::exp: result = std::exp(full(0)); return true;
       case w::floor: result = std::floor(full(0)); return true;
       case w::ceil: result = std::ceil(full(0)); return true;
-      case w::int_: result = std::trunc(full(0)); return true;
+      case w::int_: result = to_int(full(0)); return true;
       case w::degrees: result = full(0) / radians_per_degree; return true;
       case w::radians: result = full(0) * radians_per_degree; return true;
       default: return false;
@@ -145,7 +158,7 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
     case w::degrees: return number(args.full() / radians_per_degree);
     case w::radians: return number(args.full() * radians_per_degree);
     case w::exp: return number(std::exp(args.full()));
-    case w::int_: return number(std::trunc(args.full()));
+    case w::int_: return number(to_int(args.full()));
     case w::ln:
     case w::log: {
       const double x = args.full();
@@ -264,15 +277,13 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
     }
     case w::vrotate: {
       const dvec3 a = args.vector();
-      return vector(Transform::rotate_deg(args.vector()).vector(a));
+      return vector(Transform::rotate_deg(args.vector()).point(a));  // no -0
     }
     case w::vaxis_rotate: {
       const dvec3 v = args.vector();
       const dvec3 axis = args.vector();
       const double angle = args.number() * radians_per_degree;
-      const dvec3 k = axis / glm::length(axis);
-      return vector(v * std::cos(angle) + glm::cross(k, v) * std::sin(angle) +
-                    k * glm::dot(k, v) * (1 - std::cos(angle)));
+      return vector(rotate_about(v, axis * (1 / glm::length(axis)), angle));
     }
     case w::trace: {
       const scene::ObjectId id = object_argument(tree, args.expression(), e.span);
@@ -308,8 +319,8 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
     }
     case w::vturbulence: {
       functions::Octaves octaves;
-      octaves.lambda = args.number();
-      octaves.omega = args.number();
+      octaves.lambda = static_cast<float>(args.number());
+      octaves.omega = static_cast<float>(args.number());
       octaves.count = std::clamp(args.integer(), 1, 10);
       return vector(functions::vturbulence(args.vector(), octaves));
     }

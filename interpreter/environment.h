@@ -56,8 +56,10 @@ class Environment {
   Slot& in_scope(SymbolId name, std::uint32_t scope);
   /// A slot in the outermost scope, for macros and file handles.
   Slot& for_global(SymbolId name) { return in_scope(name, 0); }
-  /// A new slot in the current scope, hiding any other (macro parameters).
-  Slot& add(SymbolId name);
+  /// A slot that has no name yet: it may be filled before the scope opens where it belongs.
+  Slot& make();
+  /// Puts it into the current scope, hiding any other of the name (macro parameters).
+  void link(Slot& slot, SymbolId name);
 
   /// Removes the innermost visible `name`; false if there is none.
   bool undefine(SymbolId name);
@@ -74,6 +76,7 @@ class Environment {
  private:
   [[nodiscard]] static Value* referred(Slot* slot);
   Slot& insert(SymbolId name, std::uint32_t scope);
+  void link(Slot& slot, SymbolId name, std::uint32_t scope);
   void unlink(Slot& slot);
 
   std::deque<Slot> slots_;  // a deque: slots never move

@@ -31,10 +31,10 @@ double apply(ast::Op op, double a, double b) {
     case ast::Op::mul: return a * b;
     case ast::Op::div: return b == 0 ? std::numeric_limits<double>::infinity() : a / b;
     case ast::Op::lt: return truth(a < b);
-    case ast::Op::le: return truth(a < b || std::abs(a - b) <= epsilon);
-    case ast::Op::eq: return truth(std::abs(a - b) <= epsilon);
-    case ast::Op::ne: return truth(!(std::abs(a - b) <= epsilon));
-    case ast::Op::ge: return truth(a > b || std::abs(a - b) <= epsilon);
+    case ast::Op::le: return truth(a < b || !(std::abs(a - b) > epsilon));
+    case ast::Op::eq: return truth(!(std::abs(a - b) > epsilon));  // true for NaN, as in the oracle
+    case ast::Op::ne: return truth(std::abs(a - b) > epsilon);
+    case ast::Op::ge: return truth(a > b || !(std::abs(a - b) > epsilon));
     case ast::Op::gt: return truth(a > b);
     case ast::Op::and_: return truth(std::abs(a) > epsilon && std::abs(b) > epsilon);
     case ast::Op::or_: return truth(std::abs(a) > epsilon || std::abs(b) > epsilon);
@@ -59,6 +59,14 @@ int fill(double x, int want, double* v) {
 /// Makes an operand longer: a float is replicated, a shorter vector padded with zeros.
 void stretch(double* v, int from, int to) {
   for (int i = from; i < to; ++i) v[i] = from == 1 ? v[0] : 0.0;
+}
+
+/// What parentheses leave: their content is read without knowing the length wanted, then a float
+/// fills it and a shorter vector is padded with zeros.
+int widen(double* v, int n, int want) {
+  if (n >= want) return n;
+  stretch(v, n, want);
+  return want;
 }
 
 }  // namespace
@@ -311,7 +319,8 @@ int Interpreter::work_out_closed(const ast::Tree& tree, const ast::Expr& e, int 
     case number: return fill(std::get_if<ast::Number>(&e.node)->value, want, v);
     case string: fail(Code::wrong_kind, e.span, "expected a number or vector, found a string");
     case name: return take_name(std::get_if<ast::Name>(&e.node)->name, e.span, want, v);
-    case paren: return work_out_full(tree, std::get_if<ast::Paren>(&e.node)->inner, want, v);
+    case paren:
+      return widen(v, work_out_full(tree, std::get_if<ast::Paren>(&e.node)->inner, 1, v), want);
     case vector: return work_out_vector(tree, *std::get_if<ast::Vector>(&e.node), e.span, v);
     case unary_: {
       const auto& u = *std::get_if<ast::Unary>(&e.node);
@@ -454,9 +463,10 @@ Num Interpreter::evaluate_open(const ast::Tree& tree, const ast::Expr& e, const 
   }
   Nested part(*this, tree, g.items);
   if (g.kind == Kind::paren) {
-    const Num n = read_full(length);
+    Num n = read_full(1);
     part.finish("`)`");
-    return n.length == 1 ? Num::filled(n.v[0], length) : n;
+    n.length = widen(n.v.data(), n.length, length);
+    return n;
   }
   Num n;
   n.length = 0;

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <chrono>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <span>
@@ -25,6 +24,8 @@
 #include "scene/scene.h"
 
 namespace durer::interpreter {
+
+class MeshBuilder;
 
 /// "1 argument", "3 arguments"; for messages.
 [[nodiscard]] std::string argument_count(std::size_t n);
@@ -60,7 +61,8 @@ class Interpreter {
   [[nodiscard]] bool is_macro_call(const ast::Tree& tree, ast::ExprId id) const;
   [[nodiscard]] const MacroRef* macro_named(SymbolId name) const;
   [[nodiscard]] const MacroRef* macro_of(const ast::Tree& tree, ast::ExprId callee) const;
-  void push(Frame frame);
+  Frame& push(Frame::Kind kind, Span call);
+  void push(const Frame& frame);
   void pop();
   void break_out(Span span);
 
@@ -317,6 +319,24 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   bool starts_object(const Token& token) const;
   scene::Object read_primitive(std::uint32_t type, const Token& word);
   std::vector<double> read_operands(const scene::TypeInfo& info, const Token& word);
+  // ---- meshes.cpp
+  scene::Object read_mesh(std::uint32_t type, const Token& word);
+  scene::Object read_mesh2(std::uint32_t type, const Token& word);
+  void read_mesh_triangle(MeshBuilder& builder, const Token& word);
+  void read_mesh2_vectors(MeshBuilder& builder, const Token& word);
+  void read_mesh2_faces(MeshBuilder& builder, const Token& word);
+  void read_mesh2_textures(MeshBuilder& builder, std::size_t face);
+  void read_mesh2_indices(MeshBuilder& builder, const Token& word);
+  scene::Object finish_mesh(std::uint32_t type, const Token& word, MeshBuilder& builder);
+  template <typename Start, typename Read>
+  void read_counted(std::string_view block, Start&& start, Read&& read);
+  dvec2 read_uv();
+  scene::Triple read_triple(std::size_t limit, std::string_view what);
+  std::uint32_t to_index(double value, std::size_t limit, std::string_view what, Span span);
+  scene::TextureId read_listed_texture();
+  bool starts_float(const Token& token);
+  [[noreturn]] void missing_indices(std::string_view block, const Token& word);
+
   scene::Object read_csg(scene::NodeKind kind, const Token& word);
   scene::ObjectId read_object_modifiers(scene::Object object, const Token& word, Span opened);
   bool object_modifier(scene::Object& object, const Token& token);
@@ -382,14 +402,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
 
   std::vector<Frame> frames_;
   std::vector<Piece> pieces_;
-  /// Of macro calls whose scope is not open yet.
-  struct Argument {
-    Value value;
-    Slot* target = nullptr;  // by reference
-    std::vector<std::size_t> path;
-    Span span;
-  };
-  std::vector<Argument> arguments_;
+  std::vector<Slot*> arguments_;  // of macro calls whose scope is not open yet
   std::vector<Token> unread_;
   std::size_t unread_base_ = 0;    // tokens below belong to an outer reader
   std::size_t declare_depth_ = 0;  // frames when the value of a #declare is being read
@@ -404,7 +417,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   std::vector<std::unique_ptr<const ast::Tree>> main_trees_;
   std::vector<const ast::Tree*> tree_of_;  // by file
   std::vector<std::vector<std::uint32_t>> codes_of_;  // by file, expression: 1 + index into codes_
-  std::deque<ScalarCode> codes_;
+  std::vector<ScalarCode> codes_;
   std::unordered_set<std::uint64_t> warned_;
 
   // Reserved word → index into the registry.

@@ -217,7 +217,7 @@ bool apply_function(SymbolId function, const double* a, std::size_t count, doubl
     case w::exp: out = std::exp(a[0]); return true;
     case w::floor: out = std::floor(a[0]); return true;
     case w::ceil: out = std::ceil(a[0]); return true;
-    case w::int_: out = std::trunc(a[0]); return true;
+    case w::int_: out = to_int(a[0]); return true;
     case w::degrees: out = a[0] / radians_per_degree; return true;
     case w::radians: out = a[0] * radians_per_degree; return true;
     case w::sqrt: out = std::sqrt(a[0]); return !(a[0] < 0);
@@ -277,14 +277,14 @@ bool execute(const ScalarCode& code, const Environment& env, std::vector<std::ui
       case Kind::gt: --top; *top = truth(*top > top[1]); break;
       case Kind::le:
         --top;
-        *top = truth(*top < top[1] || std::abs(*top - top[1]) <= epsilon);
+        *top = truth(*top < top[1] || !(std::abs(*top - top[1]) > epsilon));
         break;
       case Kind::ge:
         --top;
-        *top = truth(*top > top[1] || std::abs(*top - top[1]) <= epsilon);
+        *top = truth(*top > top[1] || !(std::abs(*top - top[1]) > epsilon));
         break;
-      case Kind::eq: --top; *top = truth(std::abs(*top - top[1]) <= epsilon); break;
-      case Kind::ne: --top; *top = truth(!(std::abs(*top - top[1]) <= epsilon)); break;
+      case Kind::eq: --top; *top = truth(!(std::abs(*top - top[1]) > epsilon)); break;
+      case Kind::ne: --top; *top = truth(std::abs(*top - top[1]) > epsilon); break;
       case Kind::and_:
         --top;
         *top = truth(std::abs(*top) > epsilon && std::abs(top[1]) > epsilon);

@@ -99,14 +99,19 @@ bool Interpreter::accept_raw_punct(char c) {
   return true;
 }
 
-void Interpreter::push(Frame frame) {
+Frame& Interpreter::push(Frame::Kind kind, Span call) {
   if (frames_.size() >= max_frames) {
-    fail(Code::limit, frame.call, "directives and blocks are nested too deeply",
+    fail(Code::limit, call, "directives and blocks are nested too deeply",
          "is a macro calling itself without end?");
   }
-  if (repeats(frame.kind)) ++repeats_;
-  frames_.push_back(frame);
+  if (repeats(kind)) ++repeats_;
+  Frame& f = frames_.emplace_back();
+  f.kind = kind;
+  f.call = call;
+  return f;
 }
+
+void Interpreter::push(const Frame& frame) { push(frame.kind, frame.call) = frame; }
 
 void Interpreter::pop() {
   const Frame& f = frames_.back();

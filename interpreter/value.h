@@ -143,6 +143,9 @@ struct Value {
   }
   [[nodiscard]] bool defined() const { return node.index() != 0; }
   [[nodiscard]] bool is_num() const { return node.index() == 1; }
+  void clear() {
+    if (defined()) node.emplace<std::monostate>();
+  }
   /// Overwrites a number with a number without going through the other kinds.
   void set(const Num& n) {
     if (Num* old = std::get_if<Num>(&node)) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/boxed.h"
 #include "base/colour.h"
 #include "base/transform.h"
 #include "scene/origin.h"
@@ -39,6 +40,8 @@ struct Pigment {
   float phase = 0;
   Wave wave = Wave::ramp;
   float wave_exponent = 1;
+  /// Looked up at (u, v, 0) of the object; transformations of the texture do not move it.
+  bool uv_mapping = false;
   OriginId origin = 0;
   /// Name of a feature in it that cannot be rendered yet; such a pigment may be declared, not used.
   std::string unsupported;
@@ -75,8 +78,8 @@ struct Finish {
 };
 
 struct Layer {
-  Pigment pigment;
-  Finish finish;
+  Boxed<Pigment> pigment;
+  Boxed<Finish> finish;
   std::string unsupported;  // e.g. a `normal`
 };
 

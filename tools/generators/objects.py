@@ -1,0 +1,42 @@
+"""Questions to objects: trace, inside and extents of simple shapes."""
+
+from generators.writer import Writer
+
+
+def piece(w: Writer) -> None:
+    name = w.fresh("Ob")
+    w.line(f"#declare {name} = {shape(w, w.rng.randint(0, 2))}")
+    kind = w.rng.randint(0, 3)
+    if kind == 0:
+        w.show("v3", f"min_extent({name})")
+        w.show("v3", f"max_extent({name})")
+    elif kind == 1:
+        for _ in range(3):
+            w.show("f", f"inside({name}, {_point(w, 1.5)})")
+    else:
+        normal = w.fresh("No")
+        w.line(f"#declare {normal} = <9, 9, 9>;")
+        for _ in range(2):
+            w.show("v3", f"trace({name}, {_point(w, 4)}, {_point(w, 1)}, {normal})")
+            w.show("v3", normal)
+
+
+def _point(w: Writer, size: float) -> str:
+    return "<" + ", ".join(f"{w.rng.uniform(-size, size):.2f}" for _ in range(3)) + ">"
+
+
+def shape(w: Writer, depth: int) -> str:
+    simple = (f"sphere {{ {_point(w, 1)}, {w.rng.uniform(0.5, 2):.2f} {_moves(w)} }}",
+              f"box {{ <-1,-{w.rng.uniform(0.2, 1):.2f},-1>, <1,0.5,{w.rng.uniform(0.2, 1):.2f}> {_moves(w)} }}",
+              f"cylinder {{ -y, <0,1,{w.rng.uniform(0, 1):.2f}>, 0.7 {_moves(w)} }}",
+              f"cone {{ -y, 1, y, {w.rng.uniform(0, 0.8):.2f} {_moves(w)} }}", f"torus {{ 1, 0.3 {_moves(w)} }}")
+    if depth == 0 or w.chance(0.3):
+        return w.pick(simple)
+    return f"{w.pick(('union', 'intersection', 'difference', 'merge'))} {{ {shape(w, depth - 1)} {shape(w, depth - 1)} {_moves(w)} }}"
+
+
+def _moves(w: Writer) -> str:
+    moves = [w.pick((f"translate {_point(w, 1)}", f"rotate {w.rng.randint(-90, 90)}*{w.pick('xyz')}",
+                     f"scale {w.rng.uniform(0.5, 2):.2f}", f"scale <1, {w.rng.uniform(0.5, 2):.2f}, 1>", "inverse"))
+             for _ in range(w.rng.choice((0, 0, 1, 2)))]
+    return " ".join(moves)
