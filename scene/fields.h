@@ -164,6 +164,7 @@ template <>
 struct Fields<Pigment> {
   static constexpr std::tuple all{field("pattern", &Pigment::pattern, Role::pattern),
                                   field("args", &Pigment::args, Role::operands),
+                                  field("function", &Pigment::function),
                                   field("colour", &Pigment::colour),
                                   field("entries", &Pigment::entries),
                                   field("children", &Pigment::children),
