@@ -1,5 +1,6 @@
 // The functions of the language (language §3). Arguments are read one by one, in textual order,
 // because `rand` and macro calls have effects.
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -12,7 +13,7 @@
 #include <glm/geometric.hpp>
 
 #include "functions/noise.h"
-#include "interpreter/interpreter.h"
+#include "interpreter/arguments.h"
 
 namespace durer::interpreter {
 
@@ -21,10 +22,11 @@ namespace w = grammar::words;
 namespace {
 constexpr double radians_per_degree = 0.0174532925199432957692;
 
-/// C's conversion of an out-of-range double, as the oracle's machine does it.
-std::int32_t to_int(double v) {
-  if (!(v > -2147483649.0 && v < 2147483648.0)) return INT32_MIN;
-  return static_cast<std::int32_t>(v);
+Num v_of(const double* v, int n) {
+  Num out;
+  std::copy(v, v + 5, out.v.begin());
+  out.length = n;
+  return out;
 }
 
 /// `v` turned about the unit vector `k` by `angle` radians: Rodrigues' matrix, with products and
@@ -42,103 +44,70 @@ dvec3 rotate_about(dvec3 v, dvec3 k, double angle) {
 }
 }  // namespace
 
-/// The arguments of one call, whether they are plain expressions or have to be read item by item.
-class Interpreter::Args {
- public:
-  Args(Interpreter& in, const ast::Tree& tree, const ast::Expr& call, SymbolId function,
-       std::span<const ast::ExprId> list, const ast::OpenGroup* open)
-      : in_(in), tree_(tree), call_(call), function_(function), list_(list) {
-    if (open != nullptr) part_.emplace(in, tree, open->items);
-  }
-
-  [[nodiscard]] bool more() {
-    return part_ ? in_.peek().kind != Token::Kind::end : used_ < list_.size();
-  }
-  Num num(int length) {
-    require("a number or vector");
-    if (part_) {
-      const Num n = in_.read_num(length);
-      in_.optional_comma();
-      return in_.fit(n, length);
-    }
-    return in_.fit(in_.evaluate(tree_, list_[used_++], length), length);
-  }
-  /// Any length: a float stays a float.
-  Num any() {
-    require("a number or vector");
-    if (part_) {
-      const Num n = in_.read_num(1);
-      in_.optional_comma();
-      return n;
-    }
-    return in_.evaluate(tree_, list_[used_++], 1);
-  }
-  /// Full level: `sin(a < b)` is legal.
-  double full() {
-    require("a number");
-    if (part_) {
-      const Num n = in_.fit(in_.read_full(1), 1);
-      in_.optional_comma();
-      return n.v[0];
-    }
-    return in_.fit(in_.evaluate_full(tree_, list_[used_++], 1), 1).v[0];
-  }
-  double number() { return num(1).v[0]; }
-  dvec3 vector() { return num(3).vec(); }
-  std::int32_t integer() { return to_int(number()); }
-  Text text() {
-    require("a string");
-    if (part_) {
-      Text t = in_.read_text();
-      in_.optional_comma();
-      return t;
-    }
-    return in_.evaluate_text(tree_, list_[used_++]);
-  }
-  /// The expression itself, for arguments that are names.
-  ast::ExprId expression() {
-    require("a name");
-    if (part_) {
-      const Token t = in_.next();
-      if (t.kind != Token::Kind::expr) in_.unexpected(t, "a name");
-      in_.optional_comma();
-      return t.expr;
-    }
-    return list_[used_++];
-  }
-  /// Takes a reserved word if one stands here.
-  bool skip_word() {
-    if (!part_ || in_.peek().kind != Token::Kind::word) return false;
-    in_.next();
-    return true;
-  }
-  void done() {
-    if (!more()) return;
-    in_.fail(Code::unexpected_item, call_.span,
-             fmt::format("`{}` has too many arguments here", in_.name_of(function_)));
-  }
-  [[nodiscard]] Span span() const { return call_.span; }
-
- private:
-  void require(std::string_view what) {
-    if (more()) return;
-    in_.fail(Code::missing_argument, call_.span,
-             fmt::format("`{}` needs {} more here", in_.name_of(function_), what));
-  }
-  Interpreter& in_;
-  const ast::Tree& tree_;
-  const ast::Expr& call_;
-  SymbolId function_;
-  std::span<const ast::ExprId> list_;
-  std::size_t used_ = 0;
-  std::optional<Nested> part_;
-};
-
 double Interpreter::days_since_2000() {
   using namespace std::chrono;
   const auto micro = duration_cast<microseconds>(system_clock::now().time_since_epoch()).count();
   constexpr double epoch_2000 = 10957;  // days from 1970 to 2000
   return static_cast<double>(micro) / 86400e6 - epoch_2000;
+}
+
+/// The functions that stand in every inner loop, when nothing about the call is special: plain
+/// arguments, no domain to leave. False, with nothing evaluated, for all others.
+bool Interpreter::float_function(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
+                                 std::span<const ast::ExprId> args, double& result) {
+  (void)e;
+  const auto full = [&](std::size_t i) {
+    double v[5] = {};
+    const int n = work_out_full(tree, args[i], 1, v);
+    return n == 1 ? v[0] : fit(v_of(v, n), 1).v[0];
+  };
+  const auto number = [&](std::size_t i) {
+    double v[5] = {};
+    const int n = work_out(tree, args[i], 1, v);
+    return n == 1 ? v[0] : fit(v_of(v, n), 1).v[0];
+  };
+  if (args.size() == 1) {
+    switch (function) {
+      case w::abs: result = std::abs(full(0)); return true;
+      case w::cos: result = std::cos(full(0)); return true;
+      case w::sin: result = std::sin(full(0)); return true;
+      case w::tan: result = std::tan(full(0)); return true;
+      case w::atan: result = std::atan(full(0)); return true;
+      case w::exp: result = std::exp(full(0)); return true;
+      case w::floor: result = std::floor(full(0)); return true;
+      case w::ceil: result = std::ceil(full(0)); return true;
+      case w::int_: result = to_int(full(0)); return true;
+      case w::degrees: result = full(0) / radians_per_degree; return true;
+      case w::radians: result = full(0) * radians_per_degree; return true;
+      default: return false;
+    }
+  }
+  if (args.size() == 2) {
+    switch (function) {
+      case w::mod: {
+        const double a = number(0);
+        result = std::fmod(a, number(1));
+        return true;
+      }
+      case w::div: {
+        const double a = number(0);
+        result = to_int(a / number(1));
+        return true;
+      }
+      case w::max: {
+        const double a = number(0);
+        result = std::max(a, number(1));
+        return true;
+      }
+      case w::min: {
+        const double a = number(0);
+        result = std::min(a, number(1));
+        return true;
+      }
+      default: return false;
+    }
+  }
+  return false;
 }
 
 Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
@@ -247,20 +216,12 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
       return number(t.empty() ? 0 : t[0]);
     }
     case w::strlen: return number(static_cast<double>(args.text().size()));
-    case w::val: {
-      const std::string s = to_bytes(args.text());
-      return number(std::strtod(s.c_str(), nullptr));
-    }
+    case w::val: return number(std::strtod(args.text().bytes().c_str(), nullptr));
     case w::strcmp: {
       const Text a = args.text();
-      const Text b = args.text();
-      std::size_t i = 0;
-      while (i < a.size() && i < b.size() && a[i] == b[i]) ++i;
-      const int x = i < a.size() ? a[i] : 0;
-      const int y = i < b.size() ? b[i] : 0;
-      return number(x - y);
+      return number(a.difference(args.text()));
     }
-    case w::file_exists: return number(find_file(to_bytes(args.text()), e.span, false) ? 1 : 0);
+    case w::file_exists: return number(find_file(args.text().bytes(), e.span, false) ? 1 : 0);
     case w::defined: {
       if (args.skip_word()) return number(0);  // words of the language are not declared
       const ast::ExprId id = args.expression();
@@ -387,98 +348,6 @@ scene::ObjectId Interpreter::object_argument(const ast::Tree& tree, ast::ExprId 
   if (const auto feature = options_.queries->unsupported(scene_, ref->id))
     not_supported(*feature, call);
   return ref->id;
-}
-
-// ---- strings
-// --------------------------------------------------------------------------------------
-
-/// `str` (language §3.5): width > 0 pads with blanks, < 0 with zeros; decimals < 0 means 6.
-std::string Interpreter::format_number(double value, int width, int decimals) {
-  const int places = decimals < 0 ? 6 : decimals;
-  std::string s = width == 0  ? fmt::sprintf("%.*f", places, value)
-                  : width > 0 ? fmt::sprintf("%*.*f", width, places, value)
-                              : fmt::sprintf("%0*.*f", -width, places, value);
-  return s.size() > 254 ? fmt::sprintf("%g", value) : s;
-}
-
-Text Interpreter::call_text_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
-                                    std::span<const ast::ExprId> list, const ast::OpenGroup* open) {
-  Args args(*this, tree, e, function, list, open);
-  const auto done = [&](Text t) {
-    args.done();
-    return t;
-  };
-  switch (function) {
-    case w::chr: {
-      const std::int32_t code = args.integer();
-      if (code < 0 || code > 65535) {
-        fail(Code::out_of_range, e.span, "`chr` takes codes from 0 to 65535");
-      }
-      return done(Text(1, static_cast<char16_t>(code)));
-    }
-    case w::concat: {
-      Text t = args.text();
-      while (args.more()) t += args.text();
-      return t;
-    }
-    case w::str: {
-      const double x = args.number();
-      const int width = args.integer();
-      return done(from_bytes(format_number(x, width, args.integer())));
-    }
-    case w::strlwr:
-    case w::strupr: {
-      Text t = args.text();
-      for (char16_t& c : t) {
-        if (function == w::strlwr && c >= u'A' && c <= u'Z') c = static_cast<char16_t>(c + 32);
-        if (function == w::strupr && c >= u'a' && c <= u'z') c = static_cast<char16_t>(c - 32);
-      }
-      return done(t);
-    }
-    case w::substr: {
-      const Text t = args.text();
-      const int pos = args.integer();
-      const int len = args.integer();
-      if (pos < 0 || len < 0 || pos + len - 1 > static_cast<int>(t.size())) {
-        fail(Code::out_of_range, e.span,
-             fmt::format("`substr` reaches beyond the string, which has {} characters", t.size()));
-      }
-      return done(len == 0 ? Text()
-                           : t.substr(static_cast<std::size_t>(std::max(pos, 1) - 1),
-                                      static_cast<std::size_t>(len)));
-    }
-    case w::vstr: {
-      const int n = std::clamp(args.integer(), 2, 5);
-      // A float is not replicated here (language §3.3); after `.y` the other slots show (§2.4).
-      const Num v = args.any();
-      const Text separator = args.text();
-      const int width = args.integer();
-      const int decimals = args.integer();
-      Text t;
-      for (int i = 0; i < n; ++i) {
-        if (i > 0) t += separator;
-        t += from_bytes(
-            format_number(v.v[static_cast<std::size_t>(i)], width, decimals));
-      }
-      return done(t);
-    }
-    case w::datetime: {
-      const double days = args.number();
-      const std::string format = args.more() ? to_bytes(args.text()) : "%Y-%m-%d %H:%M:%SZ";
-      if (format.empty() || format.size() > 200) {
-        fail(Code::out_of_range, e.span, "the format of `datetime` must have 1 to 200 characters");
-      }
-      const auto seconds = static_cast<std::time_t>(std::llround((days + 10957) * 86400));
-      std::tm parts{};
-      gmtime_r(&seconds, &parts);
-      char buffer[512];
-      const std::size_t n = std::strftime(buffer, sizeof buffer, format.c_str(), &parts);
-      if (n == 0) fail(Code::evaluation, e.span, "the result of `datetime` is too long");
-      return done(from_bytes(std::string_view(buffer, n)));
-    }
-    default: break;
-  }
-  fail(Code::wrong_kind, e.span, fmt::format("`{}` does not make a string", name_of(function)));
 }
 
 }  // namespace durer::interpreter

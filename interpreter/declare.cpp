@@ -23,9 +23,22 @@ const Value* first_defined(const Array& array) {
   return nullptr;
 }
 
+/// An expression that cannot yield anything but a number or vector.
+bool is_number(const ast::Expr& e) {
+  return std::holds_alternative<ast::Binary>(e.node) ||
+         std::holds_alternative<ast::Number>(e.node) || std::holds_alternative<ast::Vector>(e.node);
+}
+
 }  // namespace
 
 /// Assigns; colours lose precision on the way, as colour variables are 32-bit (language §2).
+void Interpreter::store_number(Value& target, Num n) {
+  if (n.length == 5) {
+    for (double& x : n.v) x = static_cast<float>(x);
+  }
+  target.set(n);
+}
+
 void Interpreter::store(Value& target, Value value, bool is_element, const Array* array,
                         Span span) {
   if (Num* n = value.get<Num>(); n != nullptr && n->length == 5) {
@@ -47,6 +60,25 @@ void Interpreter::store(Value& target, Value value, bool is_element, const Array
   target = std::move(value);
 }
 
+/// The commonest assignment by far: of a formula to a variable that holds a number already. False,
+/// with nothing evaluated, if it is anything else.
+bool Interpreter::assign_number(const ast::Tree& tree, const ast::Declare& node) {
+  if (node.value == ast::none || node.subscripts.count > 0 || node.deprecated) return false;
+  if (!node.semicolon && version() >= 350) return false;
+  if (!is_number(tree.exprs[node.value])) return false;
+  Slot* slot = node.local ? env_.find_in_scope(node.name, env_.scope()) : env_.find(node.name);
+  if (slot == nullptr || slot->target != nullptr || slot->deprecated || !slot->value.is_num()) {
+    return false;
+  }
+  Num n;
+  n.length = work_out(tree, node.value, 1, n.v.data());
+  if (slot->name != node.name || slot->target != nullptr) {  // gone meanwhile: a macro undefined it
+    slot = &env_.in_scope(node.name, node.local ? env_.scope() : 0);
+  }
+  store_number(slot->value, n);
+  return true;
+}
+
 void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Declare& node) {
   (void)d;
   if (symbols_.reserved(node.name)) {
@@ -54,6 +86,7 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
          fmt::format("`{}` is a word of the language and cannot be declared", name_of(node.name)),
          "choose another name; names that start with a capital letter are always free");
   }
+  if (assign_number(tree, node)) return;
   // Where the value goes is settled first: its last operand may stand inside a macro, whose scope
   // is still open then. The old value stays visible while the new one is worked out.
   const std::uint32_t scope = env_.scope();
@@ -116,7 +149,7 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
     auto note = std::make_shared<Deprecation>();
     note->once = node.deprecated_once;
     note->message = node.deprecated_message != ast::none
-                        ? to_bytes(evaluate_text(tree, node.deprecated_message))
+                        ? evaluate_text(tree, node.deprecated_message).bytes()
                         : fmt::format("`{}` is deprecated", name_of(node.name));
     slot.deprecated = std::move(note);
   }
@@ -290,7 +323,7 @@ std::shared_ptr<Array> Interpreter::read_array(Span span) {
 
 // ---- macro calls -------------------------------------------------------------------------------
 
-/// Evaluates one argument. They wait on a stack of their own, because doing so may call macros.
+/// Evaluates one argument, into a slot that waits for the scope of the macro to open.
 void Interpreter::add_argument(const ast::Tree& tree, ast::ExprId arg) {
   const ast::Expr& e = tree.exprs[arg];
   // A bare name or array element goes by reference (language §4.6).
@@ -299,22 +332,33 @@ void Interpreter::add_argument(const ast::Tree& tree, ast::ExprId arg) {
     Slot* target = env_.find(name->name);
     const Value* v = Environment::value_of(target);
     if (v == nullptr || !v->defined()) unknown_name(name->name, e.span);
-    arguments_.push_back({{}, target, {}, e.span});
+    if (target->target != nullptr && target->path.empty()) target = target->target;
+    Slot& slot = env_.make();
+    slot.target = target;
+    arguments_.push_back(&slot);
   } else if (const auto array_name = array_of(e)) {
-    Argument a{{}, nullptr, {}, e.span};
     const auto list = read_subscripts(tree, arg);
     element(*array_name, list, e.span, false);  // must exist
-    a.target = env_.find(*array_name);
-    Value* v = Environment::value_of(a.target);
+    Slot& slot = env_.make();
+    slot.target = env_.find(*array_name);
+    Value* v = Environment::value_of(slot.target);
     for (std::size_t used = 0; used < list.size();) {
       Array& array = **v->get<std::shared_ptr<Array>>();
-      a.path.push_back(flat_index(list, array, e.span, used));
-      v = &array.elements[a.path.back()];
+      slot.path.push_back(flat_index(list, array, e.span, used));
+      v = &array.elements[slot.path.back()];
     }
-    arguments_.push_back(std::move(a));
+    arguments_.push_back(&slot);
+  } else if (is_number(e)) {
+    Num n;
+    n.length = work_out(tree, arg, 1, n.v.data());
+    Slot& slot = env_.make();
+    store_number(slot.value, n);
+    arguments_.push_back(&slot);
   } else {
     Value value = evaluate_value(tree, arg);
-    arguments_.push_back({std::move(value), nullptr, {}, e.span});
+    Slot& slot = env_.make();
+    store(slot.value, std::move(value), false, nullptr, e.span);
+    arguments_.push_back(&slot);
   }
 }
 
@@ -335,7 +379,9 @@ void Interpreter::read_open_arguments(const ast::Tree& tree, ast::Range items) {
       unread(t);
     }
     Value value = read_value();
-    arguments_.push_back({std::move(value), nullptr, {}, t.span});
+    Slot& slot = env_.make();
+    store(slot.value, std::move(value), false, nullptr, t.span);
+    arguments_.push_back(&slot);
     optional_comma();
   }
 }
@@ -390,26 +436,16 @@ void Interpreter::enter_macro(const ast::Tree& tree, ast::ExprId id, const Macro
     fail(std::move(d));
   }
 
-  Frame f;
-  f.kind = Frame::Kind::macro;
+  Frame& f = push(Frame::Kind::macro, e.span);
   f.flatten = flatten;
   f.tree = ref.tree;
   f.pos = items.first;
   f.end = items.first + items.count;
-  f.call = e.span;
   f.name = macro.name;
-  push(f);
   ++macro_depth_;
   env_.open_scope();
   for (std::uint32_t i = 0; i < macro.params.count; ++i) {
-    Slot& slot = env_.add(ref.tree->params[macro.params.first + i].name);
-    Argument& a = arguments_[first + i];
-    if (a.target != nullptr) {
-      slot.target = a.target;
-      slot.path = std::move(a.path);
-    } else {
-      store(slot.value, std::move(a.value), false, nullptr, a.span);
-    }
+    env_.link(*arguments_[first + i], ref.tree->params[macro.params.first + i].name);
   }
   arguments_.resize(first);
 }

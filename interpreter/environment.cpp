@@ -11,9 +11,7 @@ Slot* Environment::find_in_scope(SymbolId name, std::uint32_t scope) const {
   return nullptr;
 }
 
-Value* Environment::value_of(Slot* slot) {
-  if (slot == nullptr) return nullptr;
-  if (slot->target == nullptr) return &slot->value;
+Value* Environment::referred(Slot* slot) {
   Value* v = value_of(slot->target);
   for (const std::size_t index : slot->path) {
     auto* array = v == nullptr ? nullptr : v->get<std::shared_ptr<Array>>();
@@ -25,38 +23,44 @@ Value* Environment::value_of(Slot* slot) {
   return v;
 }
 
-Slot& Environment::insert(SymbolId name, std::uint32_t scope) {
+Slot& Environment::make() {
+  if (free_.empty()) return slots_.emplace_back();
+  Slot* slot = free_.back();
+  free_.pop_back();
+  return *slot;  // close_scope has emptied it
+}
+
+void Environment::link(Slot& slot, SymbolId name) { link(slot, name, scope()); }
+
+void Environment::link(Slot& slot, SymbolId name, std::uint32_t scope) {
   if (name >= visible_.size()) visible_.resize(name + 64, nullptr);
-  Slot* slot = nullptr;
-  if (free_.empty()) {
-    slot = &slots_.emplace_back();
-  } else {
-    slot = free_.back();
-    free_.pop_back();  // close_scope has emptied it
-  }
-  slot->name = name;
-  slot->scope = scope;
+  slot.name = name;
+  slot.scope = scope;
   // Newer scopes hide older ones: keep the chain in that order.
   Slot** link = &visible_[name];
   while (*link != nullptr && (*link)->scope > scope) link = &(*link)->below;
-  slot->below = *link;
-  *link = slot;
+  slot.below = *link;
+  *link = &slot;
+  if (scope == 0) return;
   if (scope == scope_begin_.size()) {
-    if (scope > 0) owned_.push_back(slot);
-  } else if (scope > 0) {
+    owned_.push_back(&slot);
+  } else {
     // An outer scope: the value of a #local may end inside a macro that it calls.
-    owned_.insert(owned_.begin() + static_cast<std::ptrdiff_t>(scope_begin_[scope]), slot);
+    owned_.insert(owned_.begin() + static_cast<std::ptrdiff_t>(scope_begin_[scope]), &slot);
     for (std::size_t i = scope; i < scope_begin_.size(); ++i) ++scope_begin_[i];
   }
-  return *slot;
+}
+
+Slot& Environment::insert(SymbolId name, std::uint32_t scope) {
+  Slot& slot = make();
+  link(slot, name, scope);
+  return slot;
 }
 
 Slot& Environment::in_scope(SymbolId name, std::uint32_t scope) {
   Slot* s = find_in_scope(name, scope);
   return s != nullptr ? *s : insert(name, scope);
 }
-
-Slot& Environment::add(SymbolId name) { return insert(name, scope()); }
 
 void Environment::unlink(Slot& slot) {
   for (Slot** link = &visible_[slot.name]; *link != nullptr; link = &(*link)->below) {
@@ -82,10 +86,14 @@ void Environment::close_scope() {
   while (owned_.size() > begin) {
     Slot* s = owned_.back();
     owned_.pop_back();
-    unlink(*s);
-    s->value = Value{};
+    if (visible_[s->name] == s) {
+      visible_[s->name] = s->below;
+    } else {
+      unlink(*s);
+    }
+    s->value.clear();
     s->target = nullptr;
-    s->path.clear();
+    if (!s->path.empty()) s->path.clear();
     if (s->deprecated) s->deprecated.reset();
     free_.push_back(s);
   }

@@ -44,7 +44,11 @@ class Environment {
   [[nodiscard]] Slot* find_in_scope(SymbolId name, std::uint32_t scope) const;
 
   /// What the slot stands for; follows references. Null if it has no value.
-  [[nodiscard]] static Value* value_of(Slot* slot);
+  [[nodiscard]] static Value* value_of(Slot* slot) {
+    if (slot == nullptr || slot->target == nullptr) return slot == nullptr ? nullptr : &slot->value;
+    return slot->path.empty() && slot->target->target == nullptr ? &slot->target->value
+                                                                 : referred(slot);
+  }
 
   /// The slot that `#local name` writes: the one of the current scope, else a new one in it.
   Slot& for_local(SymbolId name) { return in_scope(name, scope()); }
@@ -52,8 +56,10 @@ class Environment {
   Slot& in_scope(SymbolId name, std::uint32_t scope);
   /// A slot in the outermost scope, for macros and file handles.
   Slot& for_global(SymbolId name) { return in_scope(name, 0); }
-  /// A new slot in the current scope, hiding any other (macro parameters).
-  Slot& add(SymbolId name);
+  /// A slot that has no name yet: it may be filled before the scope opens where it belongs.
+  Slot& make();
+  /// Puts it into the current scope, hiding any other of the name (macro parameters).
+  void link(Slot& slot, SymbolId name);
 
   /// Removes the innermost visible `name`; false if there is none.
   bool undefine(SymbolId name);
@@ -68,7 +74,9 @@ class Environment {
   [[nodiscard]] std::vector<SymbolId> visible_names() const;
 
  private:
+  [[nodiscard]] static Value* referred(Slot* slot);
   Slot& insert(SymbolId name, std::uint32_t scope);
+  void link(Slot& slot, SymbolId name, std::uint32_t scope);
   void unlink(Slot& slot);
 
   std::deque<Slot> slots_;  // a deque: slots never move

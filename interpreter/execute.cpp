@@ -150,6 +150,7 @@ Interpreter::Flow Interpreter::run(const ast::Tree& tree, const ast::Directive& 
 Interpreter::Flow Interpreter::run(const ast::Tree& tree, const ast::Directive& d,
                                    const ast::While& node) {
   if (node.items.shape == Shape::statements) {
+    const Repeating inside(*this);
     while (condition(tree, node.condition)) {
       tick(d.span);
       if (run_statements(tree, node.items) == Flow::broken) break;
@@ -176,6 +177,7 @@ Interpreter::Flow Interpreter::run(const ast::Tree& tree, const ast::Directive& 
   Environment::value_of(&slot)->set(Num(start));
   if (!(step > 0 ? start < end + epsilon : start > end - epsilon)) return Flow::normal;
   if (node.items.shape == Shape::statements) {
+    const Repeating inside(*this);
     do {
       if (run_statements(tree, node.items) == Flow::broken) break;
     } while (next_turn(d, node, end, step));
@@ -226,7 +228,7 @@ bool Interpreter::loop_again(Frame& frame) {
 
 void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Message& node) {
   std::string text =
-      to_bytes(node.value == ast::none ? read_text() : evaluate_text(tree, node.value));
+      (node.value == ast::none ? read_text() : evaluate_text(tree, node.value)).bytes();
   using Kind = ast::Message::Kind;
   if (node.kind == Kind::error) fail(Code::user_error, d.span, text.empty() ? "#error" : text);
   if (node.kind == Kind::warning) {

@@ -38,7 +38,7 @@ void Interpreter::open_file(Span span) {
     fail(Code::evaluation, last_span_, fmt::format("`{}` is already in use", name_of(name)),
          "close it with `#fclose`, or choose another name");
   }
-  const std::string path = to_bytes(read_text(true));
+  const std::string path = read_text(true).bytes();
   const Token mode = next();
   std::shared_ptr<DataFile> file;
   if (mode.is(w::read)) {
@@ -152,7 +152,7 @@ void Interpreter::write_file() {
         next();
         format = format_of(t.word);
       } else if (t.kind == Token::Kind::expr && is_text(*t.tree, t.expr)) {
-        file.write(to_bytes(read_text()));
+        file.write(read_text().bytes());
       } else {
         const Num n = read_num(1);
         file.write(format.bytes > 0 ? as_bytes(n, format) : as_text(n));
@@ -191,7 +191,9 @@ void Interpreter::read_file() {
       } else if (const auto* n = std::get_if<Num>(&datum)) {
         *target = Value(*n);
       } else if (const auto* s = std::get_if<std::string>(&datum)) {
-        *target = Value(std::make_shared<const Text>(decode_literal(*s, at, false)));
+        Text text;
+        decode_literal(*s, at, false, text);
+        *target = Value(std::make_shared<const Text>(std::move(text)));
       }
     }
     if (file.at_end()) env_.undefine(name);

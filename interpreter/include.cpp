@@ -143,7 +143,7 @@ void Interpreter::include(const std::string& name, Span span) {
 void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Include& node) {
   const Text name =
       node.value == ast::none ? read_text(true) : evaluate_text(tree, node.value, true);
-  include(to_bytes(name), node.value == ast::none ? d.span : tree.exprs[node.value].span);
+  include(name.bytes(), node.value == ast::none ? d.span : tree.exprs[node.value].span);
 }
 
 }  // namespace durer::interpreter

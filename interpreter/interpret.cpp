@@ -120,6 +120,7 @@ scene::OriginId Interpreter::origin(Span span) {
 void Interpreter::remember(const ast::Tree& tree) {
   if (tree.file >= tree_of_.size()) tree_of_.resize(tree.file + 1);
   tree_of_[tree.file] = &tree;
+  codes_of_.resize(tree_of_.size());
 }
 
 // ---- the scene
@@ -187,14 +188,14 @@ std::optional<scene::Scene> Interpreter::run(FileId main_file) try {
     if (const double* x = std::get_if<double>(&value)) {
       global(name, Value(Num(*x)));
     } else {
-      global(name, Value(std::make_shared<const Text>(from_bytes(std::get<std::string>(value)))));
+      global(name, Value(std::make_shared<const Text>(Text(std::get<std::string>(value)))));
     }
   }
   global("image_width", Value(Num(options_.width)));
   global("image_height", Value(Num(options_.height)));
   const std::string name =
       std::filesystem::path(std::string(sources_.path(main_file))).filename().string();
-  global("input_file_name", Value(std::make_shared<const Text>(from_bytes(name))));
+  global("input_file_name", Value(std::make_shared<const Text>(Text(name))));
   for (const char* zero : {"frame_number", "initial_frame", "final_frame", "initial_clock",
                            "final_clock", "clock_delta"}) {
     global(zero, Value(Num(0.0)));

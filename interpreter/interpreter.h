@@ -17,6 +17,7 @@
 #include "grammar/vocabulary.h"
 #include "interpreter/environment.h"
 #include "interpreter/interpret.h"
+#include "interpreter/scalar_code.h"
 #include "interpreter/stream.h"
 #include "interpreter/value.h"
 #include "scene/scene.h"
@@ -54,7 +55,8 @@ class Interpreter {
   [[nodiscard]] bool is_macro_call(const ast::Tree& tree, ast::ExprId id) const;
   [[nodiscard]] const MacroRef* macro_named(SymbolId name) const;
   [[nodiscard]] const MacroRef* macro_of(const ast::Tree& tree, ast::ExprId callee) const;
-  void push(Frame frame);
+  Frame& push(Frame::Kind kind, Span call);
+  void push(const Frame& frame);
   void pop();
   void break_out(Span span);
 
@@ -84,6 +86,14 @@ class Interpreter {
   /// How running a statement ended. `broken`: a #break left it and looks for what to end.
   enum class Flow : std::uint8_t { normal, broken };
   void execute(const ast::Tree& tree, const ast::Item& item);
+  /// While it lives, a loop is running that no frame stands for.
+  struct Repeating {
+    explicit Repeating(Interpreter& in) : in_(in) { ++in_.repeats_; }
+    Repeating(const Repeating&) = delete;
+    Repeating& operator=(const Repeating&) = delete;
+    ~Repeating() { --in_.repeats_; }
+    Interpreter& in_;
+  };
   Flow run_directive(const ast::Tree& tree, const ast::Directive& d);
   /// Runs items that are statements all (ast::Body::Shape), without delivering anything.
   Flow run_statements(const ast::Tree& tree, ast::Range items);
@@ -155,6 +165,8 @@ class Interpreter {
     }
     return std::nullopt;
   }
+  bool assign_number(const ast::Tree& tree, const ast::Declare& node);
+  static void store_number(Value& target, Num n);
   void store(Value& target, Value value, bool is_element, const Array* array, Span span);
   void default_block();
   void set_version(double v, Span span);
@@ -180,15 +192,24 @@ class Interpreter {
   Num evaluate(const ast::Tree& tree, ast::ExprId id, int length);
   /// Full level: a result of one component fills all `length` slots.
   Num evaluate_full(const ast::Tree& tree, ast::ExprId id, int length);
-  Num evaluate_closed(const ast::Tree& tree, ast::ExprId id, int length);
-  Num evaluate_call(const ast::Tree& tree, const ast::Expr& e, const ast::Call& call, int length);
-  Num evaluate_name(const ast::Expr& e, SymbolId name, int length);
+  /// The same in place: `v` has room for five components, zero at first; returns how many count.
+  int work_out(const ast::Tree& tree, ast::ExprId id, int want, double* v);
+  bool quick_float(const ast::Tree& tree, const ast::Expr& e, ast::ExprId id, int want, double& x);
+  int work_out_full(const ast::Tree& tree, ast::ExprId id, int want, double* v);
+  double work_out_float(const ast::Tree& tree, ast::ExprId id, std::string_view what);
+  int work_out_closed(const ast::Tree& tree, const ast::Expr& e, int want, double* v);
+  int work_out_operand(const ast::Tree& tree, const ast::Expr& e, int want, double* v);
+  int work_out_relation(const ast::Tree& tree, const ast::Expr& e, int want, double* v);
+  int work_out_conditional(const ast::Tree& tree, const ast::Expr& e, int want, double* v);
+  int work_out_vector(const ast::Tree& tree, const ast::Vector& list, Span span, double* v);
+  int work_out_call(const ast::Tree& tree, const ast::Expr& e, const ast::Call& call, int want,
+                    double* v);
+  int take_name(SymbolId name, Span span, int want, double* v);
+  int take_value(const Value& value, Span span, int want, double* v);
+  int take_member(double* v, int n, SymbolId name, Span span, int want);
+  int apply_binary(ast::Op op, double* v, int n, double* r, int m, Span span);
+  void warn_division(Span span);
   Num evaluate_open(const ast::Tree& tree, const ast::Expr& e, const ast::OpenGroup& g, int length);
-  Num evaluate_binary(const ast::Tree& tree, const ast::Expr& e, const ast::Binary& b, int length);
-  Num evaluate_conditional(const ast::Tree& tree, const ast::Expr& e, const ast::Conditional& c,
-                           int length);
-  Num evaluate_vector(const ast::Tree& tree, const ast::Vector& v, Span span);
-  Num value_as_num(const Value& v, Span span, int length);
   Num binary(ast::Op op, Num left, Num right, Span span);
   Num unary(ast::Op op, Num operand);
   Num member(Num object, SymbolId member, Span span, int length);
@@ -200,7 +221,9 @@ class Interpreter {
   Num read_components(const ast::Tree& tree, ast::Range components, Span span);
   [[noreturn]] void call_value(const Value& v, Span span);
   [[nodiscard]] static Value copy_of(const Value& v);
-  Text decode_literal(std::string_view bytes, Span span, bool file_name);
+  void append_text(const ast::Tree& tree, ast::ExprId id, Text& out, bool file_name = false);
+  [[nodiscard]] static SymbolId text_function(const ast::Tree& tree, ast::ExprId id);
+  void decode_literal(std::string_view bytes, Span span, bool file_name, Text& out);
   [[noreturn]] void unknown_name(SymbolId name, Span span);
 
   // ---- builtins.cpp: the functions of the language
@@ -208,11 +231,13 @@ class Interpreter {
   friend class Args;
   Num call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
                    std::span<const ast::ExprId> args, const ast::OpenGroup* open, int length);
-  Text call_text_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
-                         std::span<const ast::ExprId> args, const ast::OpenGroup* open);
+  bool float_function(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
+                      std::span<const ast::ExprId> args, double& result);
+void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
+                        std::span<const ast::ExprId> args, const ast::OpenGroup* open, Text& out);
   scene::ObjectId object_argument(const ast::Tree& tree, ast::ExprId id, Span call);
   [[nodiscard]] static double days_since_2000();
-  std::string format_number(double value, int width, int decimals);
+  static void append_number(double value, int width, int decimals, Text& out);
 
   // ---- read.cpp: expressions and values from the stream
   Num read_num(int length);   // additive level
@@ -336,18 +361,12 @@ class Interpreter {
 
   std::vector<Frame> frames_;
   std::vector<Piece> pieces_;
-  /// Of macro calls whose scope is not open yet.
-  struct Argument {
-    Value value;
-    Slot* target = nullptr;  // by reference
-    std::vector<std::size_t> path;
-    Span span;
-  };
-  std::vector<Argument> arguments_;
+  std::vector<Slot*> arguments_;  // of macro calls whose scope is not open yet
   std::vector<Token> unread_;
   std::size_t unread_base_ = 0;    // tokens below belong to an outer reader
   std::size_t declare_depth_ = 0;  // frames when the value of a #declare is being read
   std::size_t macro_depth_ = 0;
+  std::size_t repeats_ = 0;  // loops and macros that are running: what they hold may come again
   std::uint64_t turns_ = 0;       // of loops, and macro calls
   std::uint64_t next_check_ = 0;  // turns at which the limits are looked at again
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
@@ -356,6 +375,8 @@ class Interpreter {
   std::unordered_map<std::string, std::unique_ptr<const ast::Tree>> trees_;
   std::vector<std::unique_ptr<const ast::Tree>> main_trees_;
   std::vector<const ast::Tree*> tree_of_;  // by file
+  std::vector<std::vector<std::uint32_t>> codes_of_;  // by file, expression: 1 + index into codes_
+  std::vector<ScalarCode> codes_;
   std::unordered_set<std::uint64_t> warned_;
 
   // Reserved word → index into the registry.

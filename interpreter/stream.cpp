@@ -14,6 +14,11 @@ namespace {
 constexpr std::size_t max_nesting = 4000;
 constexpr std::size_t max_frames = 20000;
 
+/// True for frames whose text is likely to be met again.
+bool repeats(Frame::Kind kind) {
+  return kind == Frame::Kind::macro || kind == Frame::Kind::for_ || kind == Frame::Kind::while_;
+}
+
 Token mark(Token::Kind kind, Span span) {
   Token t;
   t.kind = kind;
@@ -94,16 +99,23 @@ bool Interpreter::accept_raw_punct(char c) {
   return true;
 }
 
-void Interpreter::push(Frame frame) {
+Frame& Interpreter::push(Frame::Kind kind, Span call) {
   if (frames_.size() >= max_frames) {
-    fail(Code::limit, frame.call, "directives and blocks are nested too deeply",
+    fail(Code::limit, call, "directives and blocks are nested too deeply",
          "is a macro calling itself without end?");
   }
-  frames_.push_back(frame);
+  if (repeats(kind)) ++repeats_;
+  Frame& f = frames_.emplace_back();
+  f.kind = kind;
+  f.call = call;
+  return f;
 }
+
+void Interpreter::push(const Frame& frame) { push(frame.kind, frame.call) = frame; }
 
 void Interpreter::pop() {
   const Frame& f = frames_.back();
+  if (repeats(f.kind)) --repeats_;
   if (f.kind == Frame::Kind::expansion) pieces_.resize(f.pieces);
   if (f.kind == Frame::Kind::macro || f.kind == Frame::Kind::file) {
     if (f.kind == Frame::Kind::macro) --macro_depth_;

@@ -42,18 +42,4 @@ bool same_alternative(const Value& a, const Value& b) {
   return x == nullptr || (*x)->index() == (*std::get_if<Shared<Thing>>(&b.node))->index();
 }
 
-std::string to_bytes(const Text& text) {
-  std::string s;
-  s.reserve(text.size());
-  for (const char16_t c : text) s += c > 127 ? ' ' : static_cast<char>(c);
-  return s;
-}
-
-Text from_bytes(std::string_view bytes) {
-  Text t;
-  t.reserve(bytes.size());
-  for (const char c : bytes) t += static_cast<char16_t>(static_cast<unsigned char>(c));
-  return t;
-}
-
 }  // namespace durer::interpreter

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -14,9 +15,14 @@
 #include "base/transform.h"
 #include "base/vec.h"
 #include "grammar/ast.h"
+#include "interpreter/text.h"
 #include "scene/scene.h"
 
 namespace durer::interpreter {
+
+/// `=` of the language: the tolerance is absolute, and NaN equals everything, as in the oracle
+/// (language §2.5).
+[[nodiscard]] inline bool nearly_equal(double a, double b) { return !(std::abs(a - b) > epsilon); }
 
 /// One to five components: float, uv-vector, vector, four-vector, colour (language §2.1).
 ///
@@ -46,9 +52,6 @@ struct Num {
             static_cast<float>(v[4])};
   }
 };
-
-/// Strings are 16-bit codes (language §1.4).
-using Text = std::u16string;
 
 struct Value;
 
@@ -140,6 +143,9 @@ struct Value {
   }
   [[nodiscard]] bool defined() const { return node.index() != 0; }
   [[nodiscard]] bool is_num() const { return node.index() == 1; }
+  void clear() {
+    if (defined()) node.emplace<std::monostate>();
+  }
   /// Overwrites a number with a number without going through the other kinds.
   void set(const Num& n) {
     if (Num* old = std::get_if<Num>(&node)) {
@@ -162,9 +168,5 @@ struct Value {
 
 /// "a float", "a vector", "a string", … for messages.
 [[nodiscard]] std::string_view kind_name(const Value& v);
-
-/// Codes above 127 become spaces, as in every message of the language.
-[[nodiscard]] std::string to_bytes(const Text& text);
-[[nodiscard]] Text from_bytes(std::string_view bytes);
 
 }  // namespace durer::interpreter

@@ -1,0 +1,118 @@
+// The arguments of a call of a built-in function, read one by one in textual order, because `rand`
+// and macro calls have effects.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "interpreter/interpreter.h"
+
+namespace durer::interpreter {
+
+/// C's conversion of an out-of-range double, as the oracle's machine does it.
+inline std::int32_t to_int(double v) {
+  if (!(v > -2147483649.0 && v < 2147483648.0)) return INT32_MIN;
+  return static_cast<std::int32_t>(v);
+}
+
+/// The arguments of one call, whether they are plain expressions or have to be read item by item.
+class Interpreter::Args {
+ public:
+  Args(Interpreter& in, const ast::Tree& tree, const ast::Expr& call, SymbolId function,
+       std::span<const ast::ExprId> list, const ast::OpenGroup* open)
+      : in_(in), tree_(tree), call_(call), function_(function), list_(list) {
+    if (open != nullptr) part_.emplace(in, tree, open->items);
+  }
+
+  [[nodiscard]] bool more() {
+    return part_ ? in_.peek().kind != Token::Kind::end : used_ < list_.size();
+  }
+  Num num(int length) {
+    require("a number or vector");
+    if (part_) {
+      const Num n = in_.read_num(length);
+      in_.optional_comma();
+      return in_.fit(n, length);
+    }
+    return in_.fit(in_.evaluate(tree_, list_[used_++], length), length);
+  }
+  /// Any length: a float stays a float.
+  Num any() {
+    require("a number or vector");
+    if (part_) {
+      const Num n = in_.read_num(1);
+      in_.optional_comma();
+      return n;
+    }
+    return in_.evaluate(tree_, list_[used_++], 1);
+  }
+  /// Full level: `sin(a < b)` is legal.
+  double full() {
+    require("a number");
+    if (part_) {
+      const Num n = in_.fit(in_.read_full(1), 1);
+      in_.optional_comma();
+      return n.v[0];
+    }
+    return in_.fit(in_.evaluate_full(tree_, list_[used_++], 1), 1).v[0];
+  }
+  double number() { return num(1).v[0]; }
+  dvec3 vector() { return num(3).vec(); }
+  std::int32_t integer() { return to_int(number()); }
+  Text text() {
+    Text t;
+    text(t);
+    return t;
+  }
+  /// Appends the next argument to `out`.
+  void text(Text& out) {
+    require("a string");
+    if (part_) {
+      out.append(in_.read_text());
+      in_.optional_comma();
+      return;
+    }
+    in_.append_text(tree_, list_[used_++], out);
+  }
+  /// The expression itself, for arguments that are names.
+  ast::ExprId expression() {
+    require("a name");
+    if (part_) {
+      const Token t = in_.next();
+      if (t.kind != Token::Kind::expr) in_.unexpected(t, "a name");
+      in_.optional_comma();
+      return t.expr;
+    }
+    return list_[used_++];
+  }
+  /// Takes a reserved word if one stands here.
+  bool skip_word() {
+    if (!part_ || in_.peek().kind != Token::Kind::word) return false;
+    in_.next();
+    return true;
+  }
+  void done() {
+    if (!more()) return;
+    in_.fail(Code::unexpected_item, call_.span,
+             fmt::format("`{}` has too many arguments here", in_.name_of(function_)));
+  }
+  [[nodiscard]] Span span() const { return call_.span; }
+
+ private:
+  void require(std::string_view what) {
+    if (more()) return;
+    in_.fail(Code::missing_argument, call_.span,
+             fmt::format("`{}` needs {} more here", in_.name_of(function_), what));
+  }
+  Interpreter& in_;
+  const ast::Tree& tree_;
+  const ast::Expr& call_;
+  SymbolId function_;
+  std::span<const ast::ExprId> list_;
+  std::size_t used_ = 0;
+  std::optional<Nested> part_;
+};
+
+}  // namespace durer::interpreter

@@ -1,0 +1,131 @@
+// The functions of the language that make strings (language §3.3, §3.5). Each appends its result to
+// a text, so that nested calls fill one buffer.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+
+#include <fmt/format.h>
+
+#include "interpreter/arguments.h"
+
+namespace durer::interpreter {
+
+namespace w = grammar::words;
+
+/// `str` (language §3.5): what C's printf makes of `f`, width > 0 pads with blanks, < 0 with zeros;
+/// decimals < 0 means 6. Longer than 254 characters it becomes `g`.
+void Interpreter::append_number(double value, int width, int decimals, Text& out) {
+  const int places = decimals < 0 ? 6 : decimals;
+  if (!std::isfinite(value) || places > 254 || std::abs(width) > 254) {
+    char line[1024];
+    const int n = width < 0 ? std::snprintf(line, sizeof line, "%0*.*f", -width, places, value)
+                            : std::snprintf(line, sizeof line, "%*.*f", width, places, value);
+    if (n > 254) std::snprintf(line, sizeof line, "%g", value);
+    out.append(std::string_view(line));
+    return;
+  }
+  // Rounds the exact binary value to even, like printf, at a fraction of its time.
+  char digits[640];
+  const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed,
+                                 places);
+  std::string_view number(digits, static_cast<std::size_t>(end.ptr - digits));
+  const auto wanted = static_cast<std::size_t>(std::abs(width));
+  if (std::max(number.size(), wanted) > 254) {
+    char line[64];
+    std::snprintf(line, sizeof line, "%g", value);
+    out.append(std::string_view(line));
+    return;
+  }
+  if (number.size() < wanted) {
+    if (width < 0 && number.front() == '-') {
+      out.append(u'-');
+      number.remove_prefix(1);
+    }
+    const std::size_t sign = width < 0 && std::signbit(value) ? 1 : 0;
+    for (std::size_t i = number.size() + sign; i < wanted; ++i) out.append(width < 0 ? u'0' : u' ');
+  }
+  out.append(number);
+}
+
+void Interpreter::append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
+                                   std::span<const ast::ExprId> list, const ast::OpenGroup* open,
+                                   Text& out) {
+  Args args(*this, tree, e, function, list, open);
+  const std::size_t first = out.size();
+  switch (function) {
+    case w::chr: {
+      const std::int32_t code = args.integer();
+      if (code < 0 || code > 65535) {
+        fail(Code::out_of_range, e.span, "`chr` takes codes from 0 to 65535");
+      }
+      out.append(static_cast<char16_t>(code));
+      return args.done();
+    }
+    case w::concat:
+      args.text(out);
+      while (args.more()) args.text(out);
+      return;
+    case w::str: {
+      const double x = args.number();
+      const int width = args.integer();
+      append_number(x, width, args.integer(), out);
+      return args.done();
+    }
+    case w::strlwr:
+      args.text(out);
+      out.to_lower(first);
+      return args.done();
+    case w::strupr:
+      args.text(out);
+      out.to_upper(first);
+      return args.done();
+    case w::substr: {
+      args.text(out);
+      const std::size_t size = out.size() - first;
+      const int pos = args.integer();
+      const int len = args.integer();
+      if (pos < 0 || len < 0 || std::int64_t{pos} + len - 1 > static_cast<std::int64_t>(size)) {
+        fail(Code::out_of_range, e.span,
+             fmt::format("`substr` reaches beyond the string, which has {} characters", size));
+      }
+      const std::size_t begin = first + static_cast<std::size_t>(std::max(pos, 1) - 1);
+      out.erase(std::min(begin + static_cast<std::size_t>(len), out.size()), out.size());
+      out.erase(first, std::min(begin, out.size()));
+      return args.done();
+    }
+    case w::vstr: {
+      const int n = std::clamp(args.integer(), 2, 5);
+      // A float is not replicated here (language §3.3).
+      const Num v = args.any();
+      const Text separator = args.text();
+      const int width = args.integer();
+      const int decimals = args.integer();
+      for (int i = 0; i < n; ++i) {
+        if (i > 0) out.append(separator);
+        append_number(i < v.length ? v.v[static_cast<std::size_t>(i)] : 0.0, width, decimals, out);
+      }
+      return args.done();
+    }
+    case w::datetime: {
+      const double days = args.number();
+      const std::string format = args.more() ? args.text().bytes() : "%Y-%m-%d %H:%M:%SZ";
+      if (format.empty() || format.size() > 200) {
+        fail(Code::out_of_range, e.span, "the format of `datetime` must have 1 to 200 characters");
+      }
+      const auto seconds = static_cast<std::time_t>(std::llround((days + 10957) * 86400));
+      std::tm parts{};
+      gmtime_r(&seconds, &parts);
+      char buffer[512];
+      const std::size_t n = std::strftime(buffer, sizeof buffer, format.c_str(), &parts);
+      if (n == 0) fail(Code::evaluation, e.span, "the result of `datetime` is too long");
+      out.append(std::string_view(buffer, n));
+      return args.done();
+    }
+    default: break;
+  }
+  fail(Code::wrong_kind, e.span, fmt::format("`{}` does not make a string", name_of(function)));
+}
+
+}  // namespace durer::interpreter

@@ -1,0 +1,99 @@
+#include "interpreter/text.h"
+
+#include <algorithm>
+
+namespace durer::interpreter {
+namespace {
+
+template <typename String>
+void map_ascii(String& s, std::size_t first, char from, char to, int by) {
+  for (std::size_t i = first; i < s.size(); ++i) {
+    if (s[i] >= from && s[i] <= to) {
+      s[i] = static_cast<typename String::value_type>(s[i] + by);
+    }
+  }
+}
+
+constexpr int upper_to_lower = 'a' - 'A';
+
+}  // namespace
+
+void Text::widen() {
+  wide_.reserve(narrow_.size() + 16);
+  for (const char c : narrow_) wide_ += static_cast<unsigned char>(c);
+  narrow_.clear();
+}
+
+void Text::append(char16_t code) {
+  if (wide_.empty()) {
+    if (code < 256) {
+      narrow_ += static_cast<char>(code);
+      return;
+    }
+    widen();
+  }
+  wide_ += code;
+}
+
+void Text::append(std::string_view codes) {
+  if (wide_.empty()) {
+    narrow_ += codes;
+    return;
+  }
+  for (const char c : codes) wide_ += static_cast<unsigned char>(c);
+}
+
+void Text::append(const Text& other, std::size_t first, std::size_t count) {
+  if (wide_.empty() && other.wide_.empty()) {
+    narrow_.append(other.narrow_, first, count);
+    return;
+  }
+  for (std::size_t i = 0; i < count; ++i) append(other[first + i]);
+}
+
+void Text::erase(std::size_t first, std::size_t end) {
+  if (wide_.empty()) {
+    narrow_.erase(first, end - first);
+    return;
+  }
+  wide_.erase(first, end - first);
+}
+
+void Text::to_upper(std::size_t first) {
+  map_ascii(narrow_, first, 'a', 'z', -upper_to_lower);
+  map_ascii(wide_, first, 'a', 'z', -upper_to_lower);
+}
+
+void Text::to_lower(std::size_t first) {
+  map_ascii(narrow_, first, 'A', 'Z', upper_to_lower);
+  map_ascii(wide_, first, 'A', 'Z', upper_to_lower);
+}
+
+int Text::difference(const Text& other) const {
+  std::size_t i = 0;
+  const std::size_t both = std::min(size(), other.size());
+  while (i < both && (*this)[i] == other[i]) ++i;
+  const int a = i < size() ? (*this)[i] : 0;
+  const int b = i < other.size() ? other[i] : 0;
+  return a - b;
+}
+
+std::strong_ordering operator<=>(const Text& a, const Text& b) {
+  if (a.wide_.empty() && b.wide_.empty()) return a.narrow_.compare(b.narrow_) <=> 0;
+  const std::size_t both = std::min(a.size(), b.size());
+  for (std::size_t i = 0; i < both; ++i) {
+    if (a[i] != b[i]) return a[i] <=> b[i];
+  }
+  return a.size() <=> b.size();
+}
+
+std::string Text::bytes() const {
+  std::string s;
+  s.reserve(size());
+  for (std::size_t i = 0; i < size(); ++i) {
+    s += (*this)[i] > 127 ? ' ' : static_cast<char>((*this)[i]);
+  }
+  return s;
+}
+
+}  // namespace durer::interpreter

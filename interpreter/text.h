@@ -1,0 +1,52 @@
+// Strings of the language: 16-bit codes (language §1.4).
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace durer::interpreter {
+
+/// Nearly every string holds codes below 256 only: those take a byte each, until a higher one
+/// comes.
+class Text {
+ public:
+  Text() = default;
+  /// One code per byte, 0…255.
+  explicit Text(std::string_view codes) : narrow_(codes) {}
+
+  [[nodiscard]] std::size_t size() const { return wide_.empty() ? narrow_.size() : wide_.size(); }
+  [[nodiscard]] bool empty() const { return size() == 0; }
+  [[nodiscard]] char16_t operator[](std::size_t i) const {
+    return wide_.empty() ? static_cast<unsigned char>(narrow_[i]) : wide_[i];
+  }
+
+  void append(char16_t code);
+  /// One code per byte, 0…255.
+  void append(std::string_view codes);
+  void append(const Text& other) { append(other, 0, other.size()); }
+  /// `count` codes of `other` from `first` on; they must be there. `other` may be this text.
+  void append(const Text& other, std::size_t first, std::size_t count);
+  /// Removes the codes from `first` to before `end`.
+  void erase(std::size_t first, std::size_t end);
+  /// Maps the ASCII letters from `first` on.
+  void to_upper(std::size_t first);
+  void to_lower(std::size_t first);
+
+  /// Code by code, as unsigned numbers; a shorter text comes first.
+  friend std::strong_ordering operator<=>(const Text& a, const Text& b);
+  friend bool operator==(const Text& a, const Text& b) { return (a <=> b) == 0; }
+  /// The difference of the first codes that differ, where the end counts 0 (`strcmp`).
+  [[nodiscard]] int difference(const Text& other) const;
+
+  /// Codes above 127 become spaces, as in every message of the language.
+  [[nodiscard]] std::string bytes() const;
+
+ private:
+  void widen();
+  std::string narrow_;
+  std::u16string wide_;  // if not empty, everything; then narrow_ is empty
+};
+
+}  // namespace durer::interpreter
