@@ -224,12 +224,12 @@ Value FunctionBuilder::member(std::span<const Value> components, Member m) {
 // ---- select() and loops
 // --------------------------------------------------------------------------
 
-Value FunctionBuilder::open_block(Op op, std::uint32_t index, std::uint32_t side_count) {
+Value FunctionBuilder::open_block(Op op, std::uint32_t index) {
   if (blocks_.size() >= depth_limit) report(BuildProblem::too_deep);
   const auto here = static_cast<std::uint32_t>(f_.code.size());
   const Value result{next_++};
   f_.code.push_back({op, 0, result.index, 0, index});
-  blocks_.push_back({here, side_count, {}, here + 1, trail_.size()});
+  blocks_.push_back({here, {}, here + 1, trail_.size()});
   return result;
 }
 
@@ -244,12 +244,11 @@ void FunctionBuilder::close_side(Value result) {
   }
 }
 
-void FunctionBuilder::select_begin(Value condition, int side_count) {
-  assert(side_count == 2 || side_count == 3);
+void FunctionBuilder::select_begin(Value condition) {
   const auto index = static_cast<std::uint32_t>(f_.selects.size());
   f_.selects.emplace_back();
   f_.selects.back().condition = condition.index;
-  static_cast<void>(open_block(Op::select, index, static_cast<std::uint32_t>(side_count)));
+  static_cast<void>(open_block(Op::select, index));
 }
 
 void FunctionBuilder::select_next(Value side) { close_side(side); }
@@ -257,13 +256,13 @@ void FunctionBuilder::select_next(Value side) { close_side(side); }
 Value FunctionBuilder::select_end() {
   const OpenBlock block = std::move(blocks_.back());
   blocks_.pop_back();
-  assert(block.sides.size() == block.side_count);
+  assert(block.sides.size() == 2 || block.sides.size() == 3);
   const Instruction in = f_.code[block.instruction];
   Select& s = f_.selects[in.b];
   s.negative = block.sides[0];
   s.zero = block.sides[1];
   s.positive = block.sides.back();
-  s.two_way = block.side_count == 2;
+  s.two_way = block.sides.size() == 2;
   if (block.instruction + 1 < f_.code.size()) return {in.dst};
 
   // No side computes anything: a plain choice does.
@@ -278,7 +277,7 @@ Value FunctionBuilder::loop_begin(bool product, Value from, Value to) {
   const auto index = static_cast<std::uint32_t>(f_.loops.size());
   const Value counter{next_++};
   f_.loops.push_back({from.index, to.index, counter.index, {}, product});
-  static_cast<void>(open_block(Op::loop, index, 1));
+  static_cast<void>(open_block(Op::loop, index));
   return counter;
 }
 

@@ -15,8 +15,7 @@ namespace durer::functions {
 
 /// Why a function cannot be built. The builder goes on with a harmless value.
 enum class BuildProblem {
-  division_by_zero,       // by a constant
-  log_of_non_positive,    // of a constant
+  division_by_zero,       // of a variable by a constant written without parentheses
   constant_zeroth_power,  // pow(x, 0): a warning; the value is 1
   too_deep,               // calls or nested select, sum, prod
   too_large,              // instructions
@@ -74,8 +73,9 @@ class FunctionBuilder {
   [[nodiscard]] Value member(std::span<const Value> components, Member m);
 
   /// select(condition, negative, zero_or_more) or select(condition, negative, zero, positive):
-  /// select_begin, then the values of each side, each closed by select_next, and select_end.
-  void select_begin(Value condition, int side_count);
+  /// select_begin, then the values of two or three sides, each closed by select_next, and
+  /// select_end.
+  void select_begin(Value condition);
   void select_next(Value side);
   [[nodiscard]] Value select_end();
 
@@ -107,7 +107,6 @@ class FunctionBuilder {
   /// A select() or loop under construction.
   struct OpenBlock {
     std::uint32_t instruction;
-    std::uint32_t side_count;
     std::vector<Branch> sides;
     std::uint32_t side_begin;
     std::size_t known;  // length of the trail when the side began
@@ -130,7 +129,7 @@ class FunctionBuilder {
   [[nodiscard]] std::vector<Value> inlined(const Function& f, std::span<const Value> arguments);
   [[nodiscard]] std::uint32_t add_callee(const FunctionRef& f);
   [[nodiscard]] std::uint32_t add_external(const External& e);
-  [[nodiscard]] Value open_block(Op op, std::uint32_t index, std::uint32_t side_count);
+  [[nodiscard]] Value open_block(Op op, std::uint32_t index);
   void close_side(Value result);
   void report(BuildProblem p);
 

@@ -35,14 +35,6 @@ std::optional<Value> FunctionBuilder::folded(Op op, std::span<const Value> opera
   }
   if ((op == Op::add || op == Op::subtract) && !plain)
     return std::nullopt;  // it is a chain: see below
-  if (op == Op::divide && c[1] == 0) {
-    report(BuildProblem::division_by_zero);
-    return constant(0);
-  }
-  if ((op == Op::ln || op == Op::log10) && c[0] <= 0) {
-    report(BuildProblem::log_of_non_positive);
-    return constant(0);
-  }
   if (op == Op::divide && plain && in_later_argument()) {
     op = Op::multiply;
     c[1] = 1 / c[1];
@@ -101,12 +93,12 @@ Value FunctionBuilder::sum_with_constant(Value a, Value c_value, double c, bool 
 }
 
 Value FunctionBuilder::quotient_by_constant(Value a, Value divisor, double c) {
+  if (c == 1) return group(a);
+  if (!divisor.is_plain_constant()) return emit(Op::divide, std::array{a, divisor});
   if (c == 0) {
     report(BuildProblem::division_by_zero);
     return constant(0);
   }
-  if (c == 1) return group(a);
-  if (!divisor.is_plain_constant()) return emit(Op::divide, std::array{a, divisor});
   return op(Op::multiply, a, constant(1 / c));
 }
 

@@ -74,6 +74,10 @@ struct Format {
 [[nodiscard]] std::optional<std::string> write(const Image& image, const std::string& path,
                                                const Format& format, const Encoding& encoding);
 
+/// The same for bytes of any kind; `path` is a file.
+[[nodiscard]] std::optional<std::string> write_file(const std::string& path,
+                                                    std::span<const unsigned char> bytes);
+
 /// Tells, before a long render, why a file could not be written to `path` ("-" and an empty path
 /// always can). Leaves nothing behind.
 [[nodiscard]] std::optional<std::string> probe(const std::string& path);

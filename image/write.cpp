@@ -95,14 +95,14 @@ Target target_of(const std::string& path) {
   return t;
 }
 
+}  // namespace
+
 std::optional<std::string> write_file(const std::string& path,
                                       std::span<const unsigned char> bytes) {
   const Target target = target_of(path);
   if (target.error) return target.error;
   return target.direct ? write_directly(path, bytes) : replace_file(target.path, bytes);
 }
-
-}  // namespace
 
 std::optional<std::string> probe(const std::string& path) {
   if (path.empty() || path == "-") return std::nullopt;

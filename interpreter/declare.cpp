@@ -91,6 +91,7 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
   // is still open then. The old value stays visible while the new one is worked out.
   const std::uint32_t scope = env_.scope();
   Slot* const existing = node.local ? env_.find_in_scope(node.name, scope) : env_.find(node.name);
+  if (node.subscripts.count == 0) check_not_function(env_.find(node.name), node.target);
   Value value;
   bool semicolon = node.semicolon;
   if (node.value != ast::none) {
@@ -125,6 +126,7 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
     if (node.local && slot->scope != scope && first_defined(**array) != nullptr) return;
     Value* target =
         element(node.name, read_subscripts(tree, node.subscripts), node.target, true, false);
+    if (target->get<Shared<UserFunction>>() != nullptr) function_stays(node.name, node.target);
     store(*target, std::move(value), true, array->get(), node.target);
     return;
   }
@@ -200,7 +202,12 @@ Interpreter::Subscripts Interpreter::read_subscripts(const ast::Tree& tree, ast:
   Subscripts out;
   for (std::uint32_t i = 0; i < list.count; ++i) {
     const ast::ExprId id = tree.expr_lists[list.first + i];
-    if (!out.add({evaluate(tree, id, 1).v[0], tree.exprs[id].span})) {
+    const Num subscript = evaluate(tree, id, 1);
+    if (subscript.length != 1) {
+      fail(Code::wrong_kind, tree.exprs[id].span,
+           fmt::format("expected a float as subscript, found {}", kind_name(subscript)));
+    }
+    if (!out.add({subscript.v[0], tree.exprs[id].span})) {
       fail(Code::limit, tree.exprs[id].span, "an array access has at most 20 subscripts");
     }
   }

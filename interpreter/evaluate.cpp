@@ -61,8 +61,8 @@ void stretch(double* v, int from, int to) {
   for (int i = from; i < to; ++i) v[i] = from == 1 ? v[0] : 0.0;
 }
 
-/// What parentheses leave: their content is read without knowing how many components are wanted,
-/// then a float fills them all and a shorter vector is padded with zeros.
+/// What parentheses leave: their content is read without knowing the length wanted, then a float
+/// fills it and a shorter vector is padded with zeros.
 int widen(double* v, int n, int want) {
   if (n >= want) return n;
   stretch(v, n, want);
@@ -453,8 +453,7 @@ Num Interpreter::evaluate_open(const ast::Tree& tree, const ast::Expr& e, const 
     if (name != nullptr && symbols_.reserved(name->name)) {
       return call_builtin(tree, e, name->name, {}, &g, length);
     }
-    const Value* v = lookup(tree, g.callee, true);
-    call_value(*v, e.span);
+    return call_value(*lookup(tree, g.callee, true), tree, e, length);
   }
   if (g.kind == Kind::index) {
     const ast::ExprId id = static_cast<ast::ExprId>(&e - tree.exprs.data());
@@ -497,13 +496,23 @@ int Interpreter::work_out_call(const ast::Tree& tree, const ast::Expr& e, const 
       return work_out(t, value, want, v);
     });
   }
-  const Value* value = lookup(tree, call.callee, true);
-  call_value(*value, e.span);
+  const Num n = call_value(*lookup(tree, call.callee, true), tree, e, want);
+  std::copy(n.v.begin(), n.v.end(), v);
+  return n.length;
 }
 
-void Interpreter::call_value(const Value& v, Span span) {
-  if (const auto* u = v.get<Shared<Unsupported>>()) not_supported((*u)->feature, span);
-  fail(Code::wrong_kind, span,
+/// Calls a function or spline; macros have been expanded before.
+Num Interpreter::call_value(const Value& v, const ast::Tree& tree, const ast::Expr& call,
+                            int length) {
+  if (const auto* f = v.get<Shared<UserFunction>>()) {
+    return call_function(**f, tree, call, length);
+  }
+  if (const auto* s = v.get<Shared<functions::Spline>>()) {
+    const Shared<functions::Spline> keep = *s;  // a directive in the argument might replace it
+    return call_spline(*keep, tree, call);
+  }
+  if (const auto* u = v.get<Shared<Unsupported>>()) not_supported((*u)->feature, call.span);
+  fail(Code::wrong_kind, call.span,
        fmt::format("expected a macro or function to call, found {}", kind_name(v)));
 }
 

@@ -13,6 +13,7 @@
 #include "base/diagnostic.h"
 #include "base/source.h"
 #include "scene/object_queries.h"
+#include "scene/pigment_queries.h"
 #include "scene/scene.h"
 #include "scene/type_info.h"
 
@@ -62,6 +63,8 @@ struct Options {
   bool output_alpha = false;
   /// Answers `trace`, `inside` and the extents; without it they are errors.
   scene::ObjectQueries* queries = nullptr;
+  /// Evaluates the patterns and pigments of functions; without it they are errors.
+  scene::PigmentQueries* pigments = nullptr;
   /// Receives #debug, #render and #statistics text as it is produced (no newline added).
   std::function<void(std::string_view)> on_debug;
   /// Receives a line for every macro call and return (--trace-macros).

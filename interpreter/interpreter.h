@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "functions/evaluate.h"
 #include "grammar/ast.h"
 #include "grammar/vocabulary.h"
 #include "interpreter/environment.h"
@@ -23,6 +24,11 @@
 #include "scene/scene.h"
 
 namespace durer::interpreter {
+
+class MeshBuilder;
+
+/// "1 argument", "3 arguments"; for messages.
+[[nodiscard]] std::string argument_count(std::size_t n);
 
 /// Unwinds the interpreter after an error has been reported; never leaves `interpret`.
 struct Failure {};
@@ -219,12 +225,29 @@ class Interpreter {
   void note_use(const Slot* slot, Span span);
   Value* lookup(const ast::Tree& tree, ast::ExprId id, bool must_exist);
   Num read_components(const ast::Tree& tree, ast::Range components, Span span);
-  [[noreturn]] void call_value(const Value& v, Span span);
+  Num call_value(const Value& v, const ast::Tree& tree, const ast::Expr& call, int length);
   [[nodiscard]] static Value copy_of(const Value& v);
   void append_text(const ast::Tree& tree, ast::ExprId id, Text& out, bool file_name = false);
   [[nodiscard]] static SymbolId text_function(const ast::Tree& tree, ast::ExprId id);
   void decode_literal(std::string_view bytes, Span span, bool file_name, Text& out);
   [[noreturn]] void unknown_name(SymbolId name, Span span);
+
+  // ---- functions.cpp, function_body.cpp, function_calls.cpp, splines.cpp
+  class FunctionReader;
+  friend class FunctionReader;
+  Value read_function(Span span);
+  void check_not_function(Slot* slot, Span span);
+  [[noreturn]] void function_stays(SymbolId name, Span span);
+  std::vector<SymbolId> read_parameters();
+  Value read_internal_function(Span span);
+  Value read_special_function(Span span);
+  scene::Pigment read_pattern(const Token& word);
+  functions::Function compile_function(std::span<const SymbolId> parameters);
+  Num call_function(const UserFunction& f, const ast::Tree& tree, const ast::Expr& e, int length);
+  std::size_t read_arguments(const ast::Tree& tree, const ast::Expr& e, std::span<double> out);
+  [[nodiscard]] int noise_generator() const;
+  std::shared_ptr<const functions::Spline> read_spline(Span span);
+  Num call_spline(const functions::Spline& spline, const ast::Tree& tree, const ast::Expr& e);
 
   // ---- builtins.cpp: the functions of the language
   class Args;
@@ -296,6 +319,24 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   bool starts_object(const Token& token) const;
   scene::Object read_primitive(std::uint32_t type, const Token& word);
   std::vector<double> read_operands(const scene::TypeInfo& info, const Token& word);
+  // ---- meshes.cpp
+  scene::Object read_mesh(std::uint32_t type, const Token& word);
+  scene::Object read_mesh2(std::uint32_t type, const Token& word);
+  void read_mesh_triangle(MeshBuilder& builder, const Token& word);
+  void read_mesh2_vectors(MeshBuilder& builder, const Token& word);
+  void read_mesh2_faces(MeshBuilder& builder, const Token& word);
+  void read_mesh2_textures(MeshBuilder& builder, std::size_t face);
+  void read_mesh2_indices(MeshBuilder& builder, const Token& word);
+  scene::Object finish_mesh(std::uint32_t type, const Token& word, MeshBuilder& builder);
+  template <typename Start, typename Read>
+  void read_counted(std::string_view block, Start&& start, Read&& read);
+  dvec2 read_uv();
+  scene::Triple read_triple(std::size_t limit, std::string_view what);
+  std::uint32_t to_index(double value, std::size_t limit, std::string_view what, Span span);
+  scene::TextureId read_listed_texture();
+  bool starts_float(const Token& token);
+  [[noreturn]] void missing_indices(std::string_view block, const Token& word);
+
   scene::Object read_csg(scene::NodeKind kind, const Token& word);
   scene::ObjectId read_object_modifiers(scene::Object object, const Token& word, Span opened);
   bool object_modifier(scene::Object& object, const Token& token);
@@ -385,6 +426,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   std::unordered_map<SymbolId, std::uint32_t> param_words_;
 
   std::vector<std::uint32_t> streams_;  // states of rand()
+  functions::Workspace workspace_;      // of calls of functions
   scene::Scene scene_;
   scene::TextureId default_texture_ = scene::none;
   scene::TextureId own_texture_ = scene::none;  // made by the object statement being read

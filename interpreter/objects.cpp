@@ -124,6 +124,12 @@ scene::ObjectId Interpreter::read_object(const Token& word) {
     if (const auto it = primitive_words_.find(w::poly); it != primitive_words_.end()) {
       return read_object_modifiers(read_polynomial(it->second, word), word, open.span);
     }
+  } else if (word.word == w::mesh || word.word == w::mesh2) {
+    if (const auto it = primitive_words_.find(w::mesh); it != primitive_words_.end()) {
+      return read_object_modifiers(word.word == w::mesh ? read_mesh(it->second, word)
+                                                        : read_mesh2(it->second, word),
+                                   word, open.span);
+    }
   } else if (const auto it = primitive_words_.find(word.word); it != primitive_words_.end()) {
     return read_object_modifiers(read_primitive(it->second, word), word, open.span);
   }
@@ -195,6 +201,9 @@ std::vector<double> Interpreter::read_operands(const scene::TypeInfo& info, cons
   }
   if (info.validate != nullptr) {
     if (const auto problem = info.validate(args)) fail(Code::degenerate, word.span, *problem);
+  }
+  if (info.doubt != nullptr) {
+    if (const auto doubt = info.doubt(args)) warn(Code::degenerate, word.span, *doubt);
   }
   return args;
 }
@@ -362,12 +371,13 @@ scene::ObjectId Interpreter::read_object_modifiers(scene::Object object, const T
 void Interpreter::transform_object(scene::Object& o, const Transform& t) {
   const SharedTransform step(t);
   o.transform = o.transform.then(step);
+  if (!o.clips.empty()) o.clip_transform = o.clip_transform.then(step);
+  if (!o.bounds.empty()) o.bound_transform = o.bound_transform.then(step);
+  if (o.uv_mapping) return;  // its textures lie on the surface
   if (o.texture.texture != scene::none) o.texture.transform = o.texture.transform.then(step);
   if (o.interior_texture.texture != scene::none) {
     o.interior_texture.transform = o.interior_texture.transform.then(step);
   }
-  if (!o.clips.empty()) o.clip_transform = o.clip_transform.then(step);
-  if (!o.bounds.empty()) o.bound_transform = o.bound_transform.then(step);
 }
 
 /// Reads one modifier whose word is `t`; false if `t` is none.
@@ -407,7 +417,12 @@ bool Interpreter::object_modifier(scene::Object& o, const Token& t) {
     case w::sturm: o.sturm = read_switch(true); return true;
     case w::hierarchy: read_switch(true); return true;  // a matter of speed in the oracle
     case w::split_union: read_float(); return true;     // likewise (objects §8.2)
-    case w::uv_mapping: unsupported("`uv_mapping`"); return true;
+    case w::uv_mapping:
+      if (o.texture.texture != scene::none) {
+        fail(Code::scene, t.span, "`uv_mapping` must stand before the texture of its object");
+      }
+      o.uv_mapping = true;
+      return true;
     case w::cutaway_textures: unsupported("`cutaway_textures`"); return true;
     case w::photons: {
       // Photons can only be shot once they are switched on in global_settings.

@@ -605,16 +605,8 @@ Value Interpreter::read_value() {
     case w::sky_sphere:
       return Value(std::make_shared<const scene::SkySphere>(read_sky_sphere(t.span)));
     case w::array: return Value(read_array(t.span));
-    case w::function: {
-      // Parameters, if any, stand between the word and the block.
-      Token p = next();
-      while (p.kind != Token::Kind::open) {
-        if (p.kind == Token::Kind::end || p.kind == Token::Kind::close) unexpected(p, "`{`");
-        p = next();
-      }
-      skip_block();
-      return Value(std::make_shared<const Unsupported>(Unsupported{"a user function", t.span}));
-    }
+    case w::function: return read_function(t.span);
+    case w::spline: return Value(read_spline(t.span));
     case w::normal:
     case w::normal_map:
     case w::texture_map:
@@ -622,7 +614,6 @@ Value Interpreter::read_value() {
     case w::density:
     case w::density_map:
     case w::media:
-    case w::spline:
     case w::fog:
     case w::rainbow:
     case w::bump_map:

@@ -97,14 +97,14 @@ void Interpreter::append_text_call(const ast::Tree& tree, const ast::Expr& e, Sy
     }
     case w::vstr: {
       const int n = std::clamp(args.integer(), 2, 5);
-      // A float is not replicated here (language §3.3).
+      // A float is not replicated here (language §3.3); after `.y` the other slots show (§2.4).
       const Num v = args.any();
       const Text separator = args.text();
       const int width = args.integer();
       const int decimals = args.integer();
       for (int i = 0; i < n; ++i) {
         if (i > 0) out.append(separator);
-        append_number(i < v.length ? v.v[static_cast<std::size_t>(i)] : 0.0, width, decimals, out);
+        append_number(v.v[static_cast<std::size_t>(i)], width, decimals, out);
       }
       return args.done();
     }

@@ -19,6 +19,7 @@ scene::TextureId Interpreter::add_texture(scene::Texture texture) {
 
 void Interpreter::transform_texture(scene::Texture& texture, const Transform& t) {
   for (scene::Layer& layer : texture.layers) {
+    if (layer.pigment.uv_mapping) continue;  // it lies on the surface (textures §11.7)
     layer.pigment.transform = layer.pigment.transform.then(t);
   }
 }
@@ -274,6 +275,14 @@ void Interpreter::read_pigment_body(scene::Pigment& p, Token::Kind last) {
     }
     if (t.kind != Token::Kind::word) unexpected(t, "a colour, pattern or modifier in `pigment`");
     next();
+    if (t.word == w::uv_mapping) {
+      // What follows is looked up on the surface, and nothing is left of what stood before.
+      p = {};
+      p.origin = origin(t.span);
+      read_pigment_body(p, last);
+      p.uv_mapping = true;
+      return;
+    }
     if (const auto it = pattern_words_.find(t.word); it != pattern_words_.end()) {
       start_pattern(p, it->second, t);
       continue;

@@ -18,6 +18,10 @@
 #include "interpreter/text.h"
 #include "scene/scene.h"
 
+namespace durer::functions {
+class Spline;
+}
+
 namespace durer::interpreter {
 
 /// `=` of the language: the tolerance is absolute, and NaN equals everything, as in the oracle
@@ -88,6 +92,7 @@ struct ColourMap {
 /// The written state of a camera, before angle and look_at are worked out (shading §2.2).
 struct CameraSpec;
 class DataFile;
+struct UserFunction;
 
 /// A value of a kind that this version knows but cannot use yet. It may be declared and passed
 /// around; whoever uses it gets an error that names `feature`.
@@ -104,7 +109,7 @@ using Thing =
     std::variant<ObjectRef, TextureRef, Shared<scene::Pigment>, Shared<scene::Finish>,
                  Shared<ColourMap>, InteriorRef, Shared<Material>, Shared<Transform>,
                  Shared<CameraSpec>, Shared<scene::SkySphere>, std::shared_ptr<DataFile>,
-                 Shared<Unsupported>>;
+                 Shared<UserFunction>, Shared<functions::Spline>, Shared<Unsupported>>;
 
 /// The few kinds that loops copy and overwrite all the time are alternatives of their own; the
 /// others share one, so that copying a value is a short switch.

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "scene/mesh.h"
 #include "scene/texture.h"
 
 namespace durer::scene {
@@ -32,6 +34,7 @@ struct Object {
   NodeKind kind = NodeKind::primitive;
   std::uint32_t type = none;       // primitive: index into Registry::primitives
   std::vector<double> args;        // primitive: operands, laid out by its Params
+  std::shared_ptr<const Mesh> mesh;  // `mesh`, `mesh2`: instead of `args`
   std::vector<ObjectId> children;  // CSG
   LightId light = none;
   SharedTransform transform;
@@ -53,6 +56,8 @@ struct Object {
   bool no_radiosity = false;
   bool double_illuminate = false;
   bool sturm = false;
+  /// Textures are looked up at (u, v, 0) and stay where they are when the object is moved.
+  bool uv_mapping = false;
   OriginId origin = 0;
   std::string unsupported;  // the feature's name, when it cannot be rendered yet
 };

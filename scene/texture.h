@@ -39,6 +39,8 @@ struct Pigment {
   float phase = 0;
   Wave wave = Wave::ramp;
   float wave_exponent = 1;
+  /// Looked up at (u, v, 0) of the object; transformations of the texture do not move it.
+  bool uv_mapping = false;
   OriginId origin = 0;
   /// Name of a feature in it that cannot be rendered yet; such a pigment may be declared, not used.
   std::string unsupported;

@@ -43,9 +43,12 @@ struct TypeInfo {
   std::span<const Param> params;
   /// Says what is wrong with complete operands, or nothing. Null if nothing can be.
   std::optional<std::string> (*validate)(std::span<const double> args) = nullptr;
+  /// The same for operands that make sense, but probably not what was meant.
+  std::optional<std::string> (*doubt)(std::span<const double> args) = nullptr;
   bool open_ended = false;    // more operands follow those of `params`, as many as these tell
   bool keeps_bounds = false;  // `bounded_by` cuts it; the oracle drops those of other primitives
   bool is_patch = false;      // has no inside (objects §8.3)
+  bool lacks_uv = false;      // has surface coordinates that are not here yet (objects §14)
 
   [[nodiscard]] constexpr std::size_t arg_count() const {
     std::size_t n = 0;

@@ -20,6 +20,9 @@ bool all_supported(const scene::Scene& scene, const Geometry& geometry, Diagnost
   for (const Leaf& leaf : geometry.leaves()) {
     const Surface& surface = geometry.surfaces()[leaf.surface];
     report.check_texture(surface.texture.texture);
+    if (surface.part_textures != nullptr) {
+      for (const scene::TextureId id : *surface.part_textures) report.check_texture(id);
+    }
     if (surface.interior_texture.texture != scene::none) {
       report.check_texture(surface.interior_texture.texture);
     }
@@ -27,7 +30,7 @@ bool all_supported(const scene::Scene& scene, const Geometry& geometry, Diagnost
     if (interior != scene::none) report.check_interior(interior);
   }
   if (scene.sky_sphere) {
-    for (const scene::Pigment& p : scene.sky_sphere->pigments) report.check_pigment(p);
+    for (const scene::Pigment& p : scene.sky_sphere->pigments) report.check_sky_pigment(p);
   }
   return !diagnostics.has_errors();
 }
@@ -41,9 +44,20 @@ void compile_surfaces(CompiledScene& out) {
                          ? program.outside
                          : out.textures.add(s.interior_texture);
     program.double_illuminate = s.double_illuminate;
+    program.uv_mapping = s.uv_mapping;
+    bool all_opaque = out.textures.program(program.outside).opaque &&
+                      out.textures.program(program.inside).opaque;
+    if (s.part_textures != nullptr) {
+      program.has_parts = true;
+      program.first_part = static_cast<std::uint32_t>(out.part_textures.size());
+      for (const scene::TextureId id : *s.part_textures) {
+        const ProgramId part = out.textures.add({id, s.part_transform});
+        out.part_textures.push_back(part);
+        all_opaque = all_opaque && out.textures.program(part).opaque;
+      }
+    }
     out.surfaces.push_back(program);
-    opaque.push_back(out.textures.program(program.outside).opaque &&
-                     out.textures.program(program.inside).opaque);
+    opaque.push_back(all_opaque);
   }
   out.geometry.set_opaque(std::move(opaque));
 }

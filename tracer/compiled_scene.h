@@ -18,6 +18,9 @@ struct SurfaceProgram {
   ProgramId outside = 0;
   ProgramId inside = 0;  // for hits from within
   bool double_illuminate = false;
+  bool uv_mapping = false;  // all textures are looked up at (u, v, 0)
+  bool has_parts = false;   // single parts of the surface have textures of their own:
+  std::uint32_t first_part = 0;  // index into CompiledScene::part_textures
 };
 
 struct CompiledScene {
@@ -29,6 +32,7 @@ struct CompiledScene {
   TextureStore textures;
   Sky sky;
   std::vector<SurfaceProgram> surfaces;  // parallel to geometry.surfaces()
+  std::vector<ProgramId> part_textures;
   std::vector<Interior> interiors;       // parallel to geometry.interiors()
   std::vector<Light> lights;
   Containment around_camera;  // bodies that hold the camera's location

@@ -68,6 +68,7 @@ class Measure {
 
  private:
   static std::optional<Bounds3> placed(const Object& o, const Transform& to_world) {
+    if (o.mesh != nullptr) return o.mesh->bounds().transformed(to_world.forward);
     const PrimitiveType& type = *primitive_types()[o.type];
     TypeStores stores = type.make_stores();
     const auto ref = type.place(stores, o.args, to_world, false);
@@ -112,6 +113,7 @@ class Measure {
 
   Bounds3 half_space_or_box(const Object& child, ObjectId id, bool turned) {
     const bool inverted = turned != child.inverse;
+    if (child.mesh != nullptr) return inverted ? Bounds3::everything() : box(id, {}, turned);
     const PrimitiveType& type = *primitive_types()[child.type];
     TypeStores stores = type.make_stores();
     const auto ref = type.place(stores, child.args, child.transform, inverted);

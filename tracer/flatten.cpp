@@ -1,5 +1,8 @@
 #include "tracer/flatten.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cstring>
 #include <optional>
 #include <string_view>
@@ -29,6 +32,7 @@ struct Context {
   bool double_illuminate = false;
   std::optional<bool> hollow;
   scene::TextureUse texture{none, {}};  // texture space → world
+  bool uv_mapping = false;              // of the textures
   scene::TextureUse interior_texture{none, {}};
   std::uint32_t interior = none;  // instance
   std::uint32_t gate = none;
@@ -47,14 +51,21 @@ class SurfaceTable {
   }
 
  private:
+  static void append(std::string& key, const SharedTransform& transform) {
+    static_assert(sizeof(Affine) == 12 * sizeof(double), "an Affine is plain numbers");
+    key.append(reinterpret_cast<const char*>(&transform->forward), sizeof(Affine));
+  }
   static void append(std::string& key, const scene::TextureUse& use) {
     key.append(reinterpret_cast<const char*>(&use.texture), sizeof use.texture);
-    if (use.texture == none || use.transform.is_identity()) return;
-    static_assert(sizeof(Affine) == 12 * sizeof(double), "an Affine is plain numbers");
-    key.append(reinterpret_cast<const char*>(&use.transform->forward), sizeof(Affine));
+    if (use.texture != none && !use.transform.is_identity()) append(key, use.transform);
   }
   static std::string key(const Surface& s) {
     std::string key(1, s.double_illuminate ? '1' : '0');
+    key += s.uv_mapping ? '1' : '0';
+    key.append(reinterpret_cast<const char*>(&s.part_textures), sizeof s.part_textures);
+    if (s.part_textures != nullptr && !s.part_transform.is_identity()) {
+      append(key, s.part_transform);
+    }
     append(key, s.texture);
     append(key, s.interior_texture);
     return key;
@@ -122,8 +133,11 @@ class Flattener {
     }
     if (!own.scenery) return own;
     const auto place = [&](const scene::TextureUse& use, scene::TextureUse& to) {
-      if (use.texture != none) to = {use.texture, use.transform.then(around.to_world)};
+      if (use.texture == none) return;
+      to = object.uv_mapping ? use : scene::TextureUse{use.texture, use.transform.then(around.to_world)};
+      own.uv_mapping = object.uv_mapping;
     };
+    own.uv_mapping = around.uv_mapping || object.uv_mapping;
     place(object.texture, own.texture);
     place(object.interior_texture, own.interior_texture);
     if (object.interior != none || own.interior == none) {
@@ -138,8 +152,19 @@ class Flattener {
   std::uint32_t add_leaf(const Object& object, const Context& own) {
     FlatLeaf part{&object, own.to_world, own.inverted, own.muted, own.mask, own.gate, none};
     if (own.scenery) {
-      Surface surface{own.texture, own.interior_texture, own.double_illuminate};
+      Surface surface;
+      surface.texture = own.texture;
+      surface.interior_texture = own.interior_texture;
+      surface.double_illuminate = own.double_illuminate;
+      surface.uv_mapping = own.uv_mapping;
+      if (object.mesh != nullptr && !object.mesh->textures.empty()) {
+        surface.part_textures = &object.mesh->textures;
+        if (!own.uv_mapping) surface.part_transform = own.to_world;
+      }
       if (surface.texture.texture == none) surface.texture = {default_texture_, {}};
+      if (primitive_infos()[object.type]->lacks_uv && needs_uv(surface)) {
+        report(object, fmt::format("`uv_mapping` of a `{}`", primitive_infos()[object.type]->name));
+      }
       part.leaf = static_cast<std::uint32_t>(flat_.leaves.size());
       flat_.leaves.push_back({surfaces_.add(surface), own.interior, object.origin});
     }
@@ -236,10 +261,24 @@ class Flattener {
     return static_cast<std::uint32_t>(flat_.nodes.size() - 1);
   }
 
+  [[nodiscard]] bool needs_uv(const Surface& surface) const {
+    const auto by_uv = [&](scene::TextureId id) {
+      if (id == none) return false;
+      const auto& layers = scene_.textures[id].layers;
+      return std::any_of(layers.begin(), layers.end(),
+                         [](const scene::Layer& l) { return l.pigment.uv_mapping; });
+    };
+    return surface.uv_mapping || by_uv(surface.texture.texture) ||
+           by_uv(surface.interior_texture.texture);
+  }
+
   void report(scene::ObjectId id, const Object& object) {
     if (!reported_.insert(id).second) return;
-    const std::string_view what =
-        object.unsupported.empty() ? std::string_view("object") : object.unsupported;
+    report(object,
+           object.unsupported.empty() ? std::string_view("object") : object.unsupported);
+  }
+
+  void report(const Object& object, std::string_view what) {
     Diagnostic d;
     d.code = Code::not_supported;
     d.span = scene_.origins[object.origin].span;

@@ -9,12 +9,17 @@ add_library(durer_geometry STATIC
   accel/box_tree.cpp
   accel/embree.cpp
   accel/linear.cpp
+  accel/triangle_build.cpp
+  accel/triangle_tree.cpp
   csg/build.cpp
   csg/gate.cpp
   csg/solid_targets.cpp
   csg/sweep.cpp
+  primitives/mesh_shape.cpp
   primitives/registry.cpp
   primitives/tube.cpp
   ${primitive_sources})
 add_library(durer::geometry ALIAS durer_geometry)
+# 256-bit vectors are only passed to functions that are inlined: how others would pass them is moot.
+target_compile_options(durer_geometry PRIVATE -Wno-psabi)
 target_link_libraries(durer_geometry PUBLIC durer_common durer::scene PRIVATE embree)

@@ -75,10 +75,18 @@ bool Geometry::closest(const Ray& ray, double t_from, double t_to, RayKind kind,
   if (found.store == nullptr) return false;
   hit.t = query.t_to;
   hit.leaf = found.leaf;
+  hit.store = found.store;
+  hit.shape = found.shape;
+  hit.part = found.part;
   hit.p = ray.at(hit.t);
   hit.n = found.store->normal(found.shape, hit.p, found.part);
   if (state_->leaf_inverted[found.leaf] != 0) hit.n = -hit.n;
   return true;
+}
+
+dvec2 Geometry::uv(const Hit& hit) { return hit.store->uv(hit.shape, hit.p, hit.part); }
+TextureBlend Geometry::part_textures(const Hit& hit) {
+  return hit.store->textures(hit.shape, hit.p, hit.part);
 }
 
 bool Geometry::occluded(const Ray& ray, double t_from, double t_to,

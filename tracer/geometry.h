@@ -15,6 +15,9 @@
 
 namespace durer::tracer {
 
+class Store;
+struct TextureBlend;
+
 /// One primitive as placed in the world.
 struct Leaf {
   std::uint32_t surface = 0;   // index into Geometry::surfaces()
@@ -27,6 +30,10 @@ struct Surface {
   scene::TextureUse texture;           // never none: inheritance and defaults are resolved
   scene::TextureUse interior_texture;  // none: same as `texture`
   bool double_illuminate = false;
+  bool uv_mapping = false;  // textures are looked up at (u, v, 0), and have no place of their own
+  /// Textures of single faces (scene::Mesh::textures), and where they lie. Null: the object has none.
+  const std::vector<scene::TextureId>* part_textures = nullptr;
+  SharedTransform part_transform;
 };
 
 /// One body of matter. Objects that share an instance toggle it (objects §8.6).
@@ -40,6 +47,10 @@ struct Hit {
   std::uint32_t leaf = 0;
   dvec3 p{0.0};            // world point
   dvec3 n{0.0, 1.0, 0.0};  // world unit normal, outward; negated for inverted and subtracted leaves
+  // What of the scene was hit, for those who want to know more of that place.
+  const Store* store = nullptr;
+  std::uint32_t shape = 0;
+  std::uint32_t part = 0;
 };
 
 /// What a ray may see (shading §5.5).
@@ -90,6 +101,11 @@ class Geometry {
   /// Nearest hit with t_from <= t < t_to visible to `kind`. `ray.d` has unit length.
   bool closest(const Ray& ray, double t_from, double t_to, RayKind kind, Hit& hit,
                GeometryScratch& scratch) const;
+
+  /// Surface coordinates at a hit (objects §14).
+  [[nodiscard]] static dvec2 uv(const Hit& hit);
+  /// Which of the surface's part_textures are seen at a hit.
+  [[nodiscard]] static TextureBlend part_textures(const Hit& hit);
 
   /// True if an opaque, shadow-casting surface lies in t_from < t < t_to.
   bool occluded(const Ray& ray, double t_from, double t_to, GeometryScratch& scratch) const;

@@ -53,7 +53,8 @@ std::optional<ShapeRef> Geometry::State::place(std::vector<TypeStores>& stores,
                                                const FlatLeaf& part) {
   const std::uint32_t type = part.object->type;
   const auto ref =
-      primitive_types()[type]->place(stores[type], part.object->args, part.to_world, part.inverted);
+      place_object(*primitive_types()[type], stores[type], *part.object, part.to_world,
+                   part.inverted);
   if (!ref) return ref;
   Tag& tag = ref->store->tags[ref->shape];
   tag = {part.leaf, part.mask, false};

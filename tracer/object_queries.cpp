@@ -28,6 +28,7 @@ bool any_below(const scene::Scene& scene, ObjectId id, bool cutters, const Found
 }
 
 bool is_patch(const Object& o) {
+  if (o.mesh != nullptr) return !o.mesh->has_inside();
   return o.kind == NodeKind::light ||
          (o.kind == NodeKind::primitive && primitive_types()[o.type]->is_patch);
 }

@@ -16,7 +16,7 @@ struct Found {
   const Store* store = nullptr;  // null: nothing yet
   std::uint32_t shape = 0;
   std::uint32_t leaf = 0;
-  std::uint16_t part = 0;
+  std::uint32_t part = 0;
 };
 
 /// Looks for t_from <= t < t_to; t_to shrinks to the nearest hit. World space, double: the

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "image/image.h"
 #include "tracer/compile.h"
@@ -43,10 +44,33 @@ struct RenderResult {
   bool cancelled = false;
 };
 
+/// A picture of which some blocks are done, so that a render can be interrupted and taken up again.
+/// While a render runs, any thread may call `copy`.
+struct Checkpoint {
+  explicit Checkpoint(const RenderOptions& options);
+
+  image::Image image;                   // pixels of blocks that are not done are undefined
+  std::vector<std::atomic<bool>> done;  // by block, in the order of `render`
+
+  struct State {
+    std::vector<std::uint8_t> done;  // 0 or 1
+    image::Image image;              // pixels of other blocks are 0
+  };
+  /// What is done by now.
+  [[nodiscard]] State copy() const;
+  /// Takes up where `state` left off. False if it was not made with the same options.
+  [[nodiscard]] bool restore(State state);
+
+ private:
+  RenderOptions options_;
+};
+
 /// Renders on all cores; the picture is bit-equal for any thread count. `on_progress` is called now
-/// and then from one thread at a time; `cancel` stops the render early when it becomes true.
+/// and then from one thread at a time; `cancel` stops the render early when it becomes true. Blocks
+/// that are done in `checkpoint` are not rendered again; those that have been are noted there.
 [[nodiscard]] RenderResult render(const CompiledScene& scene, const RenderOptions& options,
                                   const std::function<void(const Progress&)>& on_progress = {},
-                                  const std::atomic<bool>* cancel = nullptr);
+                                  const std::atomic<bool>* cancel = nullptr,
+                                  Checkpoint* checkpoint = nullptr);
 
 }  // namespace durer::tracer

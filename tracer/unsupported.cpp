@@ -36,7 +36,15 @@ void UnsupportedReport::check_interior(scene::InteriorId id) {
 
 void UnsupportedReport::check_pigment(const scene::Pigment& pigment) {
   report(pigment.unsupported, pigment.origin);
-  for (const scene::Pigment& child : pigment.children) check_pigment(child);
+  for (const scene::Pigment& child : pigment.children) {
+    if (child.uv_mapping) report("`uv_mapping` inside of another pattern", child.origin);
+    check_pigment(child);
+  }
+}
+
+void UnsupportedReport::check_sky_pigment(const scene::Pigment& pigment) {
+  if (pigment.uv_mapping) report("`uv_mapping` in a sky", pigment.origin);
+  check_pigment(pigment);
 }
 
 void UnsupportedReport::check_finish(const scene::Finish& finish, scene::OriginId origin) {

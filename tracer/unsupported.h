@@ -17,6 +17,7 @@ class UnsupportedReport {
   void check_interior(scene::InteriorId interior);
 
   void check_pigment(const scene::Pigment& pigment);
+  void check_sky_pigment(const scene::Pigment& pigment);
 
  private:
   void check_finish(const scene::Finish& finish, scene::OriginId origin);

@@ -34,6 +34,7 @@ LIBRARIES = {
     "oneapi/tbb": ["tracer/film/"],
     "OpenImageIO": ["image/"],
     "CLI/": ["cli/"],
+    "nlohmann/": ["cli/"],
     "catch2": ["tests/support/"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)

@@ -1,12 +1,5 @@
 // Embree chooses whom to ask: one user geometry per sort of target, boxes in single precision
-// rounded outward. The answers, in double precision, live in the query. The only file that includes
-// Embree, and the only one that knows whether it is version 3 or 4.
-#if __has_include(<embree4/rtcore.h>)
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
-
+// rounded outward. The answers, in double precision, live in the query.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,6 +8,7 @@
 #include "base/bounds.h"
 #include "tracer/accel/accel.h"
 #include "tracer/accel/box_tree.h"
+#include "tracer/accel/embree_api.h"
 
 namespace durer::tracer {
 namespace {

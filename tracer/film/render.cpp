@@ -6,6 +6,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <thread>
 
 #include "tracer/cameras/orthographic.h"
@@ -23,7 +24,19 @@ Block part_of(const RenderOptions& o) {
           end(o.end_row, o.height)};
 }
 
-std::vector<Block> blocks_of(const Block& part, int size) {
+// Without anti-aliasing pixels are independent, and small blocks share the work out better.
+int block_size_of(const RenderOptions& o) {
+  constexpr int small_block = 16;
+  return std::max(1, o.antialias ? o.block_size : std::min(o.block_size, small_block));
+}
+
+std::uint64_t pixels_of(const Block& b) {
+  return static_cast<std::uint64_t>(b.right - b.left) * static_cast<unsigned>(b.bottom - b.top);
+}
+
+std::vector<Block> blocks_of(const RenderOptions& options) {
+  const Block part = part_of(options);
+  const int size = block_size_of(options);
   std::vector<Block> blocks;
   for (int y = part.top; y < part.bottom; y += size) {
     for (int x = part.left; x < part.right; x += size) {
@@ -106,20 +119,20 @@ class BlockRenderer {
   Antialias antialias_;
 };
 
-// Threads take the next block in row-major order until none is left.
+// Threads take the next block in row-major order until none is left, past those already done.
 template <typename Camera>
 void render_blocks(const CompiledScene& scene, const RenderOptions& options,
                    const std::vector<Block>& blocks, int threads, ProgressMeter& meter,
-                   image::Image& image) {
+                   image::Image& image, std::vector<std::atomic<bool>>* done) {
   std::atomic<std::size_t> next{0};
   const auto work = [&](int) {
     BlockRenderer<Camera> renderer(scene, options, image);
     std::uint64_t counted = 0;
     for (std::size_t i = next++; i < blocks.size() && !meter.cancelled(); i = next++) {
-      const Block& b = blocks[i];
-      renderer.render(b);
-      const auto pixels = static_cast<std::uint64_t>(b.right - b.left) * (b.bottom - b.top);
-      meter.add(pixels, renderer.rays() - counted);
+      if (done && (*done)[i]) continue;
+      renderer.render(blocks[i]);
+      if (done) (*done)[i].store(true, std::memory_order_release);
+      meter.add(pixels_of(blocks[i]), renderer.rays() - counted);
       counted = renderer.rays();
     }
   };
@@ -130,31 +143,58 @@ void render_blocks(const CompiledScene& scene, const RenderOptions& options,
 
 }  // namespace
 
+Checkpoint::Checkpoint(const RenderOptions& options)
+    : image(options.width, options.height), done(blocks_of(options).size()), options_(options) {}
+
+Checkpoint::State Checkpoint::copy() const {
+  State state{std::vector<std::uint8_t>(done.size()), image::Image(image.width, image.height)};
+  const std::vector<Block> blocks = blocks_of(options_);
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    if (!done[i].load(std::memory_order_acquire)) continue;
+    state.done[i] = 1;
+    const Block& b = blocks[i];
+    for (int y = b.top; y < b.bottom; ++y) {
+      const float* row = image.at(b.left, y).data();
+      std::copy_n(row, std::size_t{4} * (b.right - b.left), state.image.at(b.left, y).data());
+    }
+  }
+  return state;
+}
+
+bool Checkpoint::restore(State state) {
+  const bool fits = state.done.size() == done.size() && state.image.width == image.width &&
+                    state.image.height == image.height &&
+                    state.image.pixels.size() == image.pixels.size();
+  if (!fits) return false;
+  image = std::move(state.image);
+  for (std::size_t i = 0; i < done.size(); ++i) done[i] = state.done[i] != 0;
+  return true;
+}
+
 RenderResult render(const CompiledScene& scene, const RenderOptions& options,
                     const std::function<void(const Progress&)>& on_progress,
-                    const std::atomic<bool>* cancel) {
-  // Without anti-aliasing pixels are independent, and small blocks share the work out better.
-  constexpr int small_block = 16;
-  const int size =
-      options.antialias ? options.block_size : std::min(options.block_size, small_block);
-  const Block part = part_of(options);
-  const std::vector<Block> blocks = blocks_of(part, std::max(1, size));
+                    const std::atomic<bool>* cancel, Checkpoint* checkpoint) {
+  const std::vector<Block> blocks = blocks_of(options);
   const int hardware = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const int threads = options.threads > 0 ? options.threads : hardware;
 
-  RenderResult result{image::Image(options.width, options.height), {}, false};
+  RenderResult result;
+  if (!checkpoint) result.image = image::Image(options.width, options.height);
+  image::Image& image = checkpoint ? checkpoint->image : result.image;
+  auto* done = checkpoint ? &checkpoint->done : nullptr;
   std::uint64_t pixels = 0;
-  for (const Block& b : blocks) {
-    pixels += static_cast<std::uint64_t>(b.right - b.left) * (b.bottom - b.top);
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    if (!done || !(*done)[i]) pixels += pixels_of(blocks[i]);
   }
   ProgressMeter meter(pixels, on_progress, cancel);
   if (scene.scene->camera.kind == scene::Camera::Kind::orthographic) {
-    render_blocks<OrthographicCamera>(scene, options, blocks, threads, meter, result.image);
+    render_blocks<OrthographicCamera>(scene, options, blocks, threads, meter, image, done);
   } else {
-    render_blocks<PerspectiveCamera>(scene, options, blocks, threads, meter, result.image);
+    render_blocks<PerspectiveCamera>(scene, options, blocks, threads, meter, image, done);
   }
   result.final = meter.now();
   result.cancelled = meter.cancelled();
+  if (checkpoint && !result.cancelled) result.image = std::move(checkpoint->image);
   return result;
 }
 

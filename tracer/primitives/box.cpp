@@ -10,6 +10,7 @@ struct Box {
   dvec3 corner1{0.0};
   dvec3 corner2{1.0};
 
+  static constexpr bool lacks_uv = true;
   static constexpr std::array params{
       positional<&Box::corner1>("corner1", "one corner"),
       positional<&Box::corner2>("corner2", "the opposite corner"),

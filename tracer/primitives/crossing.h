@@ -16,7 +16,7 @@ enum class Side : std::uint8_t {
 struct Crossing {
   double t = 0;            // along the ray
   std::uint32_t leaf = 0;  // CSG only: which leaf of the program
-  std::uint16_t part = 0;  // which face, for normal()
+  std::uint32_t part = 0;  // which face, for normal()
   Side side = Side::enter;
   bool visible = true;  // false: the inside changes here, but no surface stands here (open caps)
 };
@@ -25,7 +25,7 @@ using Crossings = std::vector<Crossing>;
 /// The first visible crossing in a range.
 struct Nearest {
   double t;
-  std::uint16_t part;
+  std::uint32_t part;
 };
 
 }  // namespace durer::tracer

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "scene/object.h"
 #include "scene/type_info.h"
 #include "tracer/primitives/typed_store.h"
 
@@ -22,9 +23,21 @@ struct PrimitiveType : scene::TypeInfo {
   /// inside (radius 0 and the like).
   std::optional<ShapeRef> (*place)(TypeStores& stores, std::span<const double> args,
                                    const Transform& to_world, bool inverted) = nullptr;
+  /// The same for an object that is a scene::Mesh; null for all others.
+  std::optional<ShapeRef> (*place_mesh)(TypeStores& stores,
+                                        const std::shared_ptr<const scene::Mesh>& mesh,
+                                        const Transform& to_world, bool inverted) = nullptr;
   /// Operands of typical and odd examples, for the conformance suite.
   std::vector<std::vector<double>> (*samples)() = nullptr;
 };
+
+/// Places an object that is a primitive, whatever its operands are.
+inline std::optional<ShapeRef> place_object(const PrimitiveType& type, TypeStores& stores,
+                                            const scene::Object& object, const Transform& to_world,
+                                            bool inverted) {
+  if (object.mesh != nullptr) return type.place_mesh(stores, object.mesh, to_world, inverted);
+  return type.place(stores, object.args, to_world, inverted);
+}
 
 /// One operand as a member of P.
 template <typename P>
@@ -126,6 +139,8 @@ constexpr auto flag(std::string_view name, std::string_view doc) {
 ///   static constexpr std::array params{positional<&P::x>("x", "what it is"), …};
 ///   static std::vector<P> samples();
 ///   std::optional<std::string> problem() const;         optional: what is wrong with the operands
+///   static constexpr bool lacks_uv = true;              optional: see TypeInfo
+///   std::optional<std::string> doubt() const;           optional: what deserves a warning
 /// and either is a Shape itself or has
 ///   std::optional<Framed<Shape>> shape() const;         none: nothing to see
 template <typename P>
@@ -138,6 +153,10 @@ constexpr PrimitiveType describe(std::string_view name, std::string_view doc) {
     type.validate = [](std::span<const double> args) {
       return detail::from_args<P>(args).problem();
     };
+  }
+  if constexpr (requires { P::lacks_uv; }) type.lacks_uv = P::lacks_uv;
+  if constexpr (requires(const P& p) { p.doubt(); }) {
+    type.doubt = [](std::span<const double> args) { return detail::from_args<P>(args).doubt(); };
   }
   if constexpr (requires(const P& p) { p.shape(); }) {
     using Shape = decltype(P{}.shape()->shape);
@@ -160,6 +179,12 @@ constexpr PrimitiveType describe(std::string_view name, std::string_view doc) {
     for (const P& p : P::samples()) all.push_back(detail::to_args(p));
     return all;
   };
+  return type;
+}
+
+/// The same type, marked as one that has no inside.
+constexpr PrimitiveType patch(PrimitiveType type) {
+  type.is_patch = true;
   return type;
 }
 

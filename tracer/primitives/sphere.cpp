@@ -23,6 +23,7 @@ struct Sphere {
   dvec3 center{0.0};
   double radius = 1;
 
+  static constexpr bool lacks_uv = true;
   static constexpr std::array params{
       positional<&Sphere::center>("center", "centre of the ball"),
       positional<&Sphere::radius>("radius", "radius of the ball; any sign, 0 is invisible"),

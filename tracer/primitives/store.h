@@ -3,6 +3,7 @@
 // that was compiled for the type.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -53,6 +54,18 @@ class Targets {
   std::vector<Tag> tags;
 };
 
+/// Textures that a part of an object brings, each with its share of the point.
+struct TextureBlend {
+  struct Part {
+    std::uint32_t texture = 0;  // index into the textures of the object; scene::none: its own
+    float weight = 0;
+  };
+  std::array<Part, 3> parts;
+  std::uint32_t count = 0;  // 0: the part looks like the object
+
+  void add(std::uint32_t texture, float weight) { parts[count++] = {texture, weight}; }
+};
+
 /// Placed primitives of one type.
 class Store : public Targets {
  public:
@@ -61,6 +74,11 @@ class Store : public Targets {
   [[nodiscard]] virtual bool contains(std::uint32_t index, dvec3 p) const = 0;
   /// World unit normal at the world point `p`, outward (of the primitive before any inversion).
   [[nodiscard]] virtual dvec3 normal(std::uint32_t index, dvec3 p, std::uint32_t part) const = 0;
+  /// Where the world point `p` lies on the surface. Objects without such coordinates use the world's
+  /// x and y (objects §14).
+  [[nodiscard]] virtual dvec2 uv(std::uint32_t index, dvec3 p, std::uint32_t part) const = 0;
+  [[nodiscard]] virtual TextureBlend textures(std::uint32_t index, dvec3 p,
+                                              std::uint32_t part) const = 0;
   /// Appends the crossings of the whole line with each of `leaves`, and to `begun` those leaves
   /// whose inside holds the line's beginning at t = -infinity.
   virtual void crossings(std::span<const LeafShape> leaves, const Ray& ray, Crossings& out,

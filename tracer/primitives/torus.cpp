@@ -12,6 +12,7 @@ struct Torus {
   double major = 1;
   double minor = 0.25;
 
+  static constexpr bool lacks_uv = true;
   static constexpr std::array params{
       positional<&Torus::major>("major", "radius of the ring"),
       positional<&Torus::minor>("minor", "radius of the tube; negative is invisible"),

@@ -10,6 +10,8 @@
 //   std::optional<Shape> moved(const Transform&) const;   the shape in another space, if it has one
 //   Shape flipped() const;                                the inverse, if it is such a shape too
 //   … nearest_of_unit(same as nearest) const;             faster where |d| = 1
+//   dvec2 uv(dvec3 p, std::uint32_t part) const;          surface coordinates (objects §14)
+//   TextureBlend textures(dvec3 p, std::uint32_t part) const;   looks of single parts
 //   static constexpr bool convex = true;
 //   static constexpr double far = …;                      greatest depth at which it is seen
 #pragma once
@@ -123,6 +125,21 @@ class TypedStore final : public Store {
   [[nodiscard]] dvec3 normal(std::uint32_t index, dvec3 p, std::uint32_t part) const override {
     const Item& item = items_[index];
     return glm::normalize(item.normal_to_world(item.shape.normal(item.to_object(p), part)));
+  }
+  [[nodiscard]] dvec2 uv(std::uint32_t index, dvec3 p, std::uint32_t part) const override {
+    if constexpr (requires(const S& s) { s.uv(p, part); }) {
+      return items_[index].shape.uv(items_[index].to_object(p), part);
+    } else {
+      return {p.x, p.y};
+    }
+  }
+  [[nodiscard]] TextureBlend textures(std::uint32_t index, dvec3 p,
+                                      std::uint32_t part) const override {
+    if constexpr (requires(const S& s) { s.textures(p, part); }) {
+      return items_[index].shape.textures(items_[index].to_object(p), part);
+    } else {
+      return {};
+    }
   }
   [[nodiscard]] bool convex() const override {
     if constexpr (requires { S::convex; }) return S::convex;

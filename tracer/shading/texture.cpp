@@ -37,8 +37,10 @@ ProgramId TextureStore::add(const scene::TextureUse& use) {
   program.first_layer = static_cast<std::uint32_t>(layers_.size());
   for (std::size_t i = texture.layers.size(); i-- > 0;) {  // the last written is the outermost
     const scene::Layer& layer = texture.layers[i];
-    const PigmentId pigment = pigments_.add(layer.pigment, placement);
-    layers_.push_back({pigment, finish + static_cast<std::uint32_t>(i)});
+    const bool by_uv = layer.pigment.uv_mapping;
+    const PigmentId pigment = pigments_.add(layer.pigment, by_uv ? Transform{} : placement);
+    layers_.push_back({pigment, finish + static_cast<std::uint32_t>(i), by_uv});
+    program.uses_uv = program.uses_uv || by_uv;
     program.opaque = program.opaque || pigments_.opaque(pigment);
   }
   program.end_layer = static_cast<std::uint32_t>(layers_.size());

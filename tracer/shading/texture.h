@@ -17,13 +17,15 @@ using ProgramId = std::uint32_t;
 struct LayerProgram {
   PigmentId pigment = 0;
   std::uint32_t finish = 0;  // index into TextureStore::finishes()
+  bool by_uv = false;        // the pigment is looked up at (u, v, 0)
 };
 
 /// Layers first…end-1 of the store, outermost first.
 struct TextureProgram {
   std::uint32_t first_layer = 0;
   std::uint32_t end_layer = 0;
-  bool opaque = false;  // some layer can never let light through
+  bool opaque = false;   // some layer can never let light through
+  bool uses_uv = false;  // some layer is by_uv
 };
 
 /// All textures of a compiled scene.

@@ -86,19 +86,33 @@ vec3 Tracer::walk_shadow(const Incidence& in, dvec3 p, Containment inside) {
 
 // What a surface leaves of light that shines straight through it.
 vec3 Tracer::shadow_factor(const Hit& hit, dvec3 l, const Containment& inside) const {
-  const View view = look(hit, l);
+  const Look seen = look(hit, l);
+  if (seen.blend.count <= 1) return shadow_factor(seen.view, inside);
+  vec3 sum(0.0F);
+  for (std::uint32_t i = 0; i < seen.blend.count; ++i) {
+    const TextureBlend::Part& part = seen.blend.parts[i];
+    if (part.weight < adc_) continue;
+    View view = seen.view;
+    dress(view, seen, hit, part.texture);
+    sum += part.weight * shadow_factor(view, inside);
+  }
+  return sum;
+}
+
+vec3 Tracer::shadow_factor(const View& view, const Containment& inside) const {
   if (view.texture->opaque) return vec3(0.0F);
   const TextureStore& textures = scene_->textures;
   const Interior& body = scene_->interiors[view.interior];
   vec3 k(1.0F);
   for (std::uint32_t i = view.texture->first_layer; i < view.texture->end_layer; ++i) {
-    k *= textures.pigments().at(textures.layer(i).pigment, hit.p).transmission();
+    const LayerProgram& layer = textures.layer(i);
+    k *= textures.pigments().at(layer.pigment, layer.by_uv ? view.uv : view.q).transmission();
     if (body.caustics != 0) {
-      k *= static_cast<float>(1 + std::pow(std::abs(glm::dot(view.g, l)), body.caustics));
+      k *= static_cast<float>(1 + std::pow(std::abs(glm::dot(view.g, view.d)), body.caustics));
     }
   }
   if (body.fade_power > 0 && fades(body) && inside.contains(view.interior)) {
-    k *= fade(body, hit.t);
+    k *= fade(body, view.depth);
   }
   return k;
 }

@@ -73,7 +73,7 @@ Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
   const std::uint32_t first = view.texture->first_layer;
   for (std::uint32_t i = first; i < view.texture->end_layer && sum.sigma > adc_; ++i) {
     const LayerProgram& program = textures.layer(i);
-    const Colour c = textures.pigments().at(program.pigment, view.p);
+    const Colour c = textures.pigments().at(program.pigment, program.by_uv ? view.uv : view.q);
     const LayerPoint layer{&textures.finish(program), view.g, c.rgb, opacity(c)};
     const Finish& f = *layer.finish;
     vec3 rho(0.0F);

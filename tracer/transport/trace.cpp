@@ -23,11 +23,10 @@ Tracer::Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha)
 
 // Transmitted rays are followed in the loop rather than by recursion: straight ones do not count as
 // a level, so that a ray may pass any number of them.
-Radiance Tracer::trace(Path path) {
+Radiance Tracer::follow(Path path, bool straight) {
   vec3 sum(0.0F);
   vec3 through(1.0F);
   float transmittance = 1;
-  bool straight = false;
   for (;;) {
     if (path.level >= max_level_ || path.weight < adc_) return {sum, 0};
     const RayKind kind = path.reflected ? RayKind::reflection : RayKind::image;
@@ -38,7 +37,12 @@ Radiance Tracer::trace(Path path) {
       return {sum + through * s.colour, transmittance * s.transmittance};
     }
     if (!straight) ++path.level;
-    const Step step = surface(look(hit, path.ray.d), path);
+    const Look seen = look(hit, path.ray.d);
+    if (seen.blend.count > 1) {
+      const Radiance r = blend(seen, hit, path);
+      return {sum + through * r.colour, transmittance * r.transmittance};
+    }
+    const Step step = surface(seen.view, path);
     sum += through * step.colour;
     transmittance *= step.transmittance;
     if (!step.continues) return {sum, transmittance};
@@ -47,11 +51,35 @@ Radiance Tracer::trace(Path path) {
   }
 }
 
-Tracer::View Tracer::look(const Hit& hit, dvec3 d) const {
+// Every texture is followed on its own, with its reflections and what lies behind (objects §4).
+Radiance Tracer::blend(const Look& look, const Hit& hit, const Path& path) {
+  Radiance sum;
+  for (std::uint32_t i = 0; i < look.blend.count; ++i) {
+    const TextureBlend::Part& part = look.blend.parts[i];
+    if (part.weight < adc_) continue;
+    View view = look.view;
+    dress(view, look, hit, part.texture);
+    Path own = path;
+    const Step step = surface(view, own);
+    Radiance r{step.colour, step.transmittance};
+    if (step.continues) {
+      const Radiance behind = follow(own, step.straight);
+      r.colour += step.through * behind.colour;
+      r.transmittance *= behind.transmittance;
+    }
+    sum.colour += part.weight * r.colour;
+    sum.transmittance += part.weight * r.transmittance;
+  }
+  return sum;
+}
+
+Tracer::Look Tracer::look(const Hit& hit, dvec3 d) const {
   const Leaf& leaf = scene_->geometry.leaves()[hit.leaf];
   const SurfaceProgram& s = scene_->surfaces[leaf.surface];
   const bool from_inside = glm::dot(hit.n, d) > 0;
-  View view;
+  Look found;
+  found.surface = &s;
+  View& view = found.view;
   view.p = hit.p;
   view.d = d;
   view.g = from_inside ? -hit.n : hit.n;
@@ -59,7 +87,25 @@ Tracer::View Tracer::look(const Hit& hit, dvec3 d) const {
   view.interior = leaf.interior;
   view.double_illuminate = s.double_illuminate;
   view.depth = hit.t;
-  return view;
+  // An interior texture hides those of single parts.
+  if (s.has_parts && !(from_inside && s.inside != s.outside)) {
+    found.blend = Geometry::part_textures(hit);
+  }
+  dress(view, found, hit, found.blend.count == 1 ? found.blend.parts[0].texture : scene::none);
+  return found;
+}
+
+/// Puts a texture of a part on, if there is one, and finds the point where to look it up.
+void Tracer::dress(View& view, const Look& look, const Hit& hit, std::uint32_t texture) const {
+  const SurfaceProgram& s = *look.surface;
+  if (texture != scene::none) {
+    view.texture = &scene_->textures.program(scene_->part_textures[s.first_part + texture]);
+  }
+  view.q = view.p;
+  if (!s.uv_mapping && !view.texture->uses_uv) return;
+  const dvec2 uv = Geometry::uv(hit);
+  view.uv = {uv.x, uv.y, 0};
+  if (s.uv_mapping) view.q = view.uv;
 }
 
 }  // namespace durer::tracer

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tracer/compiled_scene.h"
+#include "tracer/primitives/store.h"
 
 namespace durer::tracer {
 
@@ -58,12 +59,14 @@ class Tracer {
   /// `alpha`: see RenderOptions.
   Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha);
 
-  [[nodiscard]] Radiance trace(Path path);
+  [[nodiscard]] Radiance trace(Path path) { return follow(path, false); }
 
  private:
   // A surface that is being looked at.
   struct View {
     dvec3 p{0.0};
+    dvec3 q{0.0};   // where textures are looked up: p, or (u, v, 0)
+    dvec3 uv{0.0};  // (u, v, 0) if a layer asks for it
     dvec3 d{0.0};
     dvec3 g{0.0};  // unit geometric normal, towards the viewer
     const TextureProgram* texture = nullptr;
@@ -94,7 +97,17 @@ class Tracer {
     bool tir = false;  // totally reflected inside
   };
 
-  [[nodiscard]] View look(const Hit& hit, dvec3 d) const;
+  // A surface whose texture is still to be chosen: `view.texture` is that of the whole object.
+  struct Look {
+    View view;
+    TextureBlend blend;  // of CompiledScene::part_textures; empty: view.texture it is
+    const SurfaceProgram* surface = nullptr;
+  };
+
+  [[nodiscard]] Radiance follow(Path path, bool straight);
+  [[nodiscard]] Radiance blend(const Look& look, const Hit& hit, const Path& path);
+  [[nodiscard]] Look look(const Hit& hit, dvec3 d) const;
+  void dress(View& view, const Look& look, const Hit& hit, std::uint32_t texture) const;
   [[nodiscard]] Step surface(const View& view, Path& path);
   [[nodiscard]] LayerSum sum_layers(const View& view, const Path& path);
   [[nodiscard]] float opacity(const Colour& c) const;
@@ -115,6 +128,7 @@ class Tracer {
                               const Containment& inside);
   [[nodiscard]] vec3 walk_shadow(const Incidence& in, dvec3 p, Containment inside);
   [[nodiscard]] vec3 shadow_factor(const Hit& hit, dvec3 l, const Containment& inside) const;
+  [[nodiscard]] vec3 shadow_factor(const View& view, const Containment& inside) const;
 
   const CompiledScene* scene_;
   Scratch* scratch_;

@@ -4,47 +4,10 @@
 #include <stdexcept>
 
 #include "functions/internals.h"
+#include "functions/names.h"
 
 namespace durer::functions {
 namespace {
-
-const std::map<std::string, Op> one_argument{{"abs", Op::absolute},
-                                             {"acos", Op::arccosine},
-                                             {"acosh", Op::hyperbolic_arccosine},
-                                             {"asin", Op::arcsine},
-                                             {"asinh", Op::hyperbolic_arcsine},
-                                             {"atan", Op::arctangent},
-                                             {"atanh", Op::hyperbolic_arctangent},
-                                             {"ceil", Op::ceiling},
-                                             {"cos", Op::cosine},
-                                             {"cosh", Op::hyperbolic_cosine},
-                                             {"exp", Op::exponential},
-                                             {"floor", Op::floor},
-                                             {"int", Op::truncate},
-                                             {"ln", Op::ln},
-                                             {"log", Op::log10},
-                                             {"sin", Op::sine},
-                                             {"sinh", Op::hyperbolic_sine},
-                                             {"sqrt", Op::square_root},
-                                             {"tan", Op::tangent},
-                                             {"tanh", Op::hyperbolic_tangent}};
-const std::map<std::string, Op> two_arguments{{"atan2", Op::arctangent2}, {"div", Op::quotient},
-                                              {"mod", Op::modulo},        {"pow", Op::power},
-                                              {"min", Op::minimum},       {"max", Op::maximum}};
-const std::map<std::string, Member> members{{"x", Member::x},
-                                            {"y", Member::y},
-                                            {"z", Member::z},
-                                            {"t", Member::t},
-                                            {"u", Member::u},
-                                            {"v", Member::v},
-                                            {"red", Member::red},
-                                            {"green", Member::green},
-                                            {"blue", Member::blue},
-                                            {"filter", Member::filter},
-                                            {"transmit", Member::transmit},
-                                            {"gray", Member::gray},
-                                            {"grey", Member::gray},
-                                            {"hf", Member::hf}};
 
 class Reader {
  public:
@@ -175,15 +138,15 @@ class Reader {
     const std::vector<Value> a = arguments();
     if (name == "degrees") return builder_.degrees(a.at(0));
     if (name == "radians") return builder_.radians(a.at(0));
-    if (one_argument.count(name) != 0) return builder_.op(one_argument.at(name), a.at(0));
-    if (two_arguments.count(name) != 0) {
+    if (const BuiltIn* f = built_in(name)) {
+      if (f->arity == 1) return builder_.op(f->op, a.at(0));
       Value v = a.at(0);
-      for (std::size_t i = 1; i < a.size(); ++i) v = builder_.op(two_arguments.at(name), v, a[i]);
+      for (std::size_t i = 1; i < a.size(); ++i) v = builder_.op(f->op, v, a[i]);
       return v;
     }
     if (scope_.functions.count(name) != 0) {
       const std::vector<Value> r = builder_.call(scope_.functions.at(name), a);
-      return accept(".") ? builder_.member(r, members.at(word())) : r.at(0);
+      return accept(".") ? builder_.member(r, member_named(word()).value()) : r.at(0);
     }
     for (std::size_t i = 0; i < internal_functions.size(); ++i) {
       if (internal_functions[i].name == name) return builder_.internal(static_cast<int>(i), a);
@@ -193,18 +156,9 @@ class Reader {
   Value select() {
     const Value condition = disjunction();
     expect(",");
-    // The number of sides is only known at the end, so the commas at this level are counted ahead.
-    int commas = 0;
-    int depth = 0;
-    for (std::size_t i = at_; i < text_.size() && depth >= 0; ++i) {
-      depth += text_[i] == '(' ? 1 : text_[i] == ')' ? -1 : 0;
-      commas += depth == 0 && text_[i] == ',' ? 1 : 0;
-    }
-    builder_.select_begin(condition, commas + 1);
-    for (int i = 0; i <= commas; ++i) {
-      if (i > 0) expect(",");
-      builder_.select_next(disjunction());
-    }
+    builder_.select_begin(condition);
+    do builder_.select_next(disjunction());
+    while (accept(","));
     expect(")");
     return builder_.select_end();
   }

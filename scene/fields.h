@@ -1,0 +1,262 @@
+// The fields of every struct of the scene, by name: one table for printing and comparing.
+#pragma once
+
+#include <array>
+#include <tuple>
+
+#include "scene/scene.h"
+
+namespace durer::scene {
+
+/// What the number in a field stands for.
+enum class Role : std::uint8_t {
+  plain,
+  id,         // index into one of the scene's vectors; `none` if there is nothing
+  primitive,  // index into Registry::primitives
+  pattern,    // index into Registry::patterns
+  operands,   // laid out by the Params of the primitive or pattern in the same struct
+  place,      // OriginId
+};
+
+template <typename Struct, typename Member>
+struct Field {
+  std::string_view name;
+  Member Struct::*member;
+  Role role = Role::plain;
+};
+
+template <typename Struct, typename Member>
+constexpr Field<Struct, Member> field(std::string_view name, Member Struct::*member,
+                                      Role role = Role::plain) {
+  return {name, member, role};
+}
+
+/// `Fields<T>::all` is a tuple of Field, one for every member of T in its order.
+template <typename T>
+struct Fields;
+
+template <typename T>
+concept HasFields = requires { Fields<T>::all; };
+
+template <>
+struct Fields<Object> {
+  static constexpr std::tuple all{
+      field("kind", &Object::kind),
+      field("type", &Object::type, Role::primitive),
+      field("args", &Object::args, Role::operands),
+      field("children", &Object::children, Role::id),
+      field("light", &Object::light, Role::id),
+      field("transform", &Object::transform),
+      field("texture", &Object::texture),
+      field("interior_texture", &Object::interior_texture),
+      field("interior", &Object::interior, Role::id),
+      field("clips", &Object::clips, Role::id),
+      field("bounds", &Object::bounds, Role::id),
+      field("clip_transform", &Object::clip_transform),
+      field("bound_transform", &Object::bound_transform),
+      field("inverse", &Object::inverse),
+      field("hollow", &Object::hollow),
+      field("no_shadow", &Object::no_shadow),
+      field("no_image", &Object::no_image),
+      field("no_reflection", &Object::no_reflection),
+      field("no_radiosity", &Object::no_radiosity),
+      field("double_illuminate", &Object::double_illuminate),
+      field("sturm", &Object::sturm),
+      field("origin", &Object::origin, Role::place),
+      field("unsupported", &Object::unsupported)};
+};
+
+template <>
+struct Fields<TextureUse> {
+  static constexpr std::tuple all{field("texture", &TextureUse::texture, Role::id),
+                                  field("transform", &TextureUse::transform)};
+};
+
+template <>
+struct Fields<Root> {
+  static constexpr std::tuple all{
+      field("object", &Root::object, Role::id),
+      field("default_texture", &Root::default_texture, Role::id)};
+};
+
+template <>
+struct Fields<Light> {
+  static constexpr std::tuple all{field("kind", &Light::kind),
+                                  field("position", &Light::position),
+                                  field("colour", &Light::colour),
+                                  field("parallel", &Light::parallel),
+                                  field("shadowless", &Light::shadowless),
+                                  field("point_at", &Light::point_at),
+                                  field("radius_deg", &Light::radius_deg),
+                                  field("falloff_deg", &Light::falloff_deg),
+                                  field("tightness", &Light::tightness),
+                                  field("fade_distance", &Light::fade_distance),
+                                  field("fade_power", &Light::fade_power),
+                                  field("origin", &Light::origin, Role::place)};
+};
+
+template <>
+struct Fields<Camera> {
+  static constexpr std::tuple all{field("kind", &Camera::kind),
+                                  field("location", &Camera::location),
+                                  field("direction", &Camera::direction),
+                                  field("right", &Camera::right),
+                                  field("up", &Camera::up),
+                                  field("origin", &Camera::origin, Role::place)};
+};
+
+template <>
+struct Fields<SkySphere> {
+  static constexpr std::tuple all{field("pigments", &SkySphere::pigments),
+                                  field("emission", &SkySphere::emission),
+                                  field("transform", &SkySphere::transform),
+                                  field("origin", &SkySphere::origin, Role::place)};
+};
+
+template <>
+struct Fields<Settings> {
+  static constexpr std::tuple all{
+      field("adc_bailout", &Settings::adc_bailout),
+      field("max_trace_level", &Settings::max_trace_level),
+      field("ambient_light", &Settings::ambient_light),
+      field("irid_wavelength", &Settings::irid_wavelength),
+      field("noise_generator", &Settings::noise_generator),
+      field("number_of_waves", &Settings::number_of_waves),
+      field("mm_per_unit", &Settings::mm_per_unit),
+      field("gamma_mode", &Settings::gamma_mode),
+      field("assumed_gamma", &Settings::assumed_gamma),
+      field("effective_version", &Settings::effective_version),
+      field("declared_version", &Settings::declared_version)};
+};
+
+template <>
+struct Fields<PigmentEntry> {
+  static constexpr std::tuple all{field("key", &PigmentEntry::key),
+                                  field("colour", &PigmentEntry::colour),
+                                  field("pigment", &PigmentEntry::pigment, Role::id)};
+};
+
+template <>
+struct Fields<Pigment> {
+  static constexpr std::tuple all{field("pattern", &Pigment::pattern, Role::pattern),
+                                  field("args", &Pigment::args, Role::operands),
+                                  field("colour", &Pigment::colour),
+                                  field("entries", &Pigment::entries),
+                                  field("children", &Pigment::children),
+                                  field("transform", &Pigment::transform),
+                                  field("frequency", &Pigment::frequency),
+                                  field("phase", &Pigment::phase),
+                                  field("wave", &Pigment::wave),
+                                  field("wave_exponent", &Pigment::wave_exponent),
+                                  field("origin", &Pigment::origin, Role::place),
+                                  field("unsupported", &Pigment::unsupported)};
+};
+
+template <>
+struct Fields<Finish> {
+  static constexpr std::tuple all{field("ambient", &Finish::ambient),
+                                  field("emission", &Finish::emission),
+                                  field("diffuse", &Finish::diffuse),
+                                  field("diffuse_back", &Finish::diffuse_back),
+                                  field("brilliance", &Finish::brilliance),
+                                  field("phong", &Finish::phong),
+                                  field("phong_size", &Finish::phong_size),
+                                  field("specular", &Finish::specular),
+                                  field("roughness", &Finish::roughness),
+                                  field("metallic", &Finish::metallic),
+                                  field("crand", &Finish::crand),
+                                  field("reflection_min", &Finish::reflection_min),
+                                  field("reflection_max", &Finish::reflection_max),
+                                  field("reflection_falloff", &Finish::reflection_falloff),
+                                  field("reflection_exponent", &Finish::reflection_exponent),
+                                  field("reflection_metallic", &Finish::reflection_metallic),
+                                  field("fresnel", &Finish::fresnel),
+                                  field("conserve_energy", &Finish::conserve_energy),
+                                  field("irid", &Finish::irid),
+                                  field("irid_thickness", &Finish::irid_thickness),
+                                  field("irid_turbulence", &Finish::irid_turbulence),
+                                  field("ior", &Finish::ior),
+                                  field("caustics", &Finish::caustics),
+                                  field("refraction", &Finish::refraction),
+                                  field("unsupported", &Finish::unsupported)};
+};
+
+template <>
+struct Fields<Layer> {
+  static constexpr std::tuple all{field("pigment", &Layer::pigment),
+                                  field("finish", &Layer::finish),
+                                  field("unsupported", &Layer::unsupported)};
+};
+
+template <>
+struct Fields<Texture> {
+  static constexpr std::tuple all{field("layers", &Texture::layers),
+                                  field("origin", &Texture::origin, Role::place),
+                                  field("unsupported", &Texture::unsupported)};
+};
+
+template <>
+struct Fields<Interior> {
+  static constexpr std::tuple all{
+      field("ior", &Interior::ior),
+      field("dispersion", &Interior::dispersion),
+      field("dispersion_samples", &Interior::dispersion_samples),
+      field("caustics", &Interior::caustics),
+      field("fade_distance", &Interior::fade_distance),
+      field("fade_power", &Interior::fade_power),
+      field("fade_colour", &Interior::fade_colour),
+      field("refraction", &Interior::refraction),
+      field("origin", &Interior::origin, Role::place),
+      field("unsupported", &Interior::unsupported)};
+};
+
+template <>
+struct Fields<Colour> {
+  static constexpr std::tuple all{field("rgb", &Colour::rgb), field("filter", &Colour::filter),
+                                  field("transmit", &Colour::transmit)};
+};
+
+template <>
+struct Fields<GammaCurve> {
+  static constexpr std::tuple all{field("kind", &GammaCurve::kind),
+                                  field("gamma", &GammaCurve::gamma)};
+};
+
+template <>
+struct Fields<Affine> {
+  static constexpr std::tuple all{field("x", &Affine::x), field("y", &Affine::y),
+                                  field("z", &Affine::z), field("t", &Affine::t)};
+};
+
+/// The words of an enumeration, in its order.
+template <typename T>
+struct Words;
+
+template <>
+struct Words<NodeKind> {
+  static constexpr std::array<std::string_view, 7> all{
+      "primitive", "union", "merge", "intersection", "difference", "light", "unsupported"};
+};
+template <>
+struct Words<Light::Kind> {
+  static constexpr std::array<std::string_view, 2> all{"point", "spotlight"};
+};
+template <>
+struct Words<Camera::Kind> {
+  static constexpr std::array<std::string_view, 2> all{"perspective", "orthographic"};
+};
+template <>
+struct Words<GammaMode> {
+  static constexpr std::array<std::string_view, 4> all{"off", "legacy", "explicit", "implied"};
+};
+template <>
+struct Words<Wave> {
+  static constexpr std::array<std::string_view, 6> all{"ramp",    "sine",  "triangle",
+                                                       "scallop", "cubic", "poly"};
+};
+template <>
+struct Words<GammaCurve::Kind> {
+  static constexpr std::array<std::string_view, 3> all{"linear", "power", "srgb"};
+};
+
+}  // namespace durer::scene

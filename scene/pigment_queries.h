@@ -1,0 +1,21 @@
+// Patterns and pigments as functions that the language calls while it is interpreted, and that
+// other functions contain. The tracer makes them; the interpreter knows only this interface.
+#pragma once
+
+#include "functions/tape.h"
+#include "scene/texture.h"
+
+namespace durer::scene {
+
+class PigmentQueries {
+ public:
+  virtual ~PigmentQueries() = default;
+
+  /// The value of the pigment's pattern at x, y, z, after its own warps, transforms, frequency,
+  /// phase and wave (builtin-functions §7). `pigment.pattern` is not `none`.
+  [[nodiscard]] virtual functions::External pattern_function(const Pigment& pigment) = 0;
+  /// The pigment's red, green, blue, filter and transmit at x, y, z, in single precision.
+  [[nodiscard]] virtual functions::External pigment_function(const Pigment& pigment) = 0;
+};
+
+}  // namespace durer::scene

@@ -1,0 +1,30 @@
+#include "tracer/primitives/describe.h"
+#include "tracer/primitives/mesh_shape.h"
+
+namespace durer::tracer {
+namespace {
+
+// `mesh` and `mesh2` (objects §11.5, §11.6). Their operands are not numbers but a scene::Mesh, so
+// this type is described by hand.
+constexpr PrimitiveType mesh_type() {
+  PrimitiveType type;
+  type.name = "mesh";
+  type.doc = "Triangles that share vertices, normals and textures.";
+  type.make_stores = [] { return make_type_stores<MeshShape>(); };
+  type.place = [](TypeStores&, std::span<const double>, const Transform&,
+                  bool) -> std::optional<ShapeRef> { return std::nullopt; };
+  type.place_mesh = [](TypeStores& stores, const std::shared_ptr<const scene::Mesh>& mesh,
+                       const Transform& to_world, bool inverted) -> std::optional<ShapeRef> {
+    // Without an inside there is nothing that could be inverted (objects §8.5).
+    return place_shape(stores, MeshShape(shared_mesh_data(mesh), to_world), to_world,
+                       inverted && mesh->has_inside());
+  };
+  type.samples = [] { return std::vector<std::vector<double>>{}; };
+  return type;
+}
+
+}  // namespace
+
+extern constinit const PrimitiveType mesh_primitive = mesh_type();
+
+}  // namespace durer::tracer
