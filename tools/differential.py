@@ -98,12 +98,13 @@ def verdict(oracle: Printed, durer: Printed) -> str:
         return "same" if same(oracle.text, durer.text) else "text"
     place = durer.error is not None and oracle.line == durer.line
     if not same(oracle.text, durer.text, begins=True):
-        if place and same(durer.text, oracle.text, begins=True):
+        early = durer.error is not None and "[D01" in durer.error
+        if (place or early) and same(durer.text, oracle.text, begins=True):
             return "both fail"  # what cannot be parsed is found before anything is executed
         return "rejected" if durer.error and same(durer.text, oracle.text, begins=True) else "text"
     if durer.error is None:
         return "lenient"
-    return "both fail" if place or not oracle.line else "place"
+    return "both fail" if place or "[D01" in durer.error or not oracle.line else "place"
 
 
 BAD = ("text", "rejected", "crash")
