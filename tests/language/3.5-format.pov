@@ -56,12 +56,15 @@ global_settings { assumed_gamma 1 }
 
 //= beyond 254 characters the short form is used
 #debug concat(str(1e300,0,3), "\n")
-#debug concat(str(1e250,0,3), "\n")
 #debug concat(str(-1e300,5,0), "\n")
+#debug concat(str(strlen(str(1e250,0,0)), 0, 0), "\n")
+#debug concat(str(strlen(str(1e250,0,3)), 0, 0), "\n")
+#debug concat(str(strlen(str(1e250,0,2)), 0, 0), "\n")
 // expect: 1e+300
-// expect: 99999999999999992109683308321470265755404276937522223728665176967184126166393360
-// expect: 0278047414170535414411036408111814232401040478571454131528428125775275729162...-
-// expect: 1e+300
+// expect: -1e+300
+// expect: 250
+// expect: 254
+// expect: 253
 
 //= many decimals
 #debug concat(str(0.1,0,20), "\n")
