@@ -196,7 +196,7 @@ bool element_of(const Environment& env, SymbolId name, const double* subscripts,
   std::size_t flat = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t size = (*array)->sizes[i];
-    const double at = std::trunc(subscripts[i] + epsilon);
+    const double at = std::floor(subscripts[i] + epsilon);
     if (!(at >= 0 && at < static_cast<double>(size))) return false;
     flat = flat * size + static_cast<std::size_t>(at);
   }

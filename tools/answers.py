@@ -8,7 +8,7 @@ from pathlib import Path
 import programs
 
 START, END = "=start=", "=end="
-LIMIT = 20.0  # seconds per program
+LIMIT = 10.0  # seconds per program
 AT_ONCE = 8   # POV-Ray spends most of its half second asleep
 
 
@@ -20,6 +20,7 @@ class Printed:
     error: str | None
     line: int
     column: int = 0
+    file: str = ""
 
 
 def framed(source: str) -> str:
@@ -30,6 +31,8 @@ def framed(source: str) -> str:
 def ask_oracle(scene: Path) -> Printed:
     command = [programs.oracle_path() or "povray", f"+I{scene.name}", "-D", "-F", "+W1", "+H1", "-A", "-GR", "-GS", "-GW"]
     done = programs.run(command, scene.parent, LIMIT)
+    if done.timed_out:  # it hangs once in a thousand starts
+        done = programs.run(command, scene.parent, LIMIT)
     text = re.sub(r"^==== \[.*\n", "", done.err.partition(f"{START}\n")[2], flags=re.MULTILINE)
     if done.timed_out:
         return Printed(text, "timed out", 0)
@@ -55,6 +58,7 @@ def ask_durer(scene: Path) -> Printed:
     printed, ended, _ = text.partition(f"\n{END}\n")
     if done.code == 0:
         return Printed(printed, None if ended else "no end", 0)
-    place = re.search(r"--> [^\n]*?:(\d+):(\d+)", done.err)
-    line, column = (int(place[1]), int(place[2])) if place else (0, 0)
-    return Printed(printed, programs.first_error(done.err), line, column)
+    place = re.search(r"--> ([^\n]*?):(\d+):(\d+)", done.err)
+    if not place:
+        return Printed(printed, programs.first_error(done.err), 0)
+    return Printed(printed, programs.first_error(done.err), int(place[2]), int(place[3]), Path(place[1]).name)

@@ -30,6 +30,7 @@ import answers
 import programs
 
 FOLDER = programs.ROOT / "tests" / "language"
+SCENE = "case.pov"  # a case runs under this name
 MARKS = re.compile(r"// (expect|error|beyond|before)(?:: ?(.*))?$")
 
 
@@ -78,7 +79,7 @@ def cases_of(path: Path) -> list[Case]:
 def ask(case: Case, program) -> answers.Printed:
     with tempfile.TemporaryDirectory(prefix="durer-") as folder:
         shutil.copytree(FOLDER / "files", folder, dirs_exist_ok=True)
-        scene = Path(folder) / "case.pov"
+        scene = Path(folder) / SCENE
         scene.write_text(answers.framed(case.source), "utf-8")
         return program(scene)
 
@@ -89,6 +90,8 @@ def lines_of(text: str) -> list[str]:
 
 def error_of(case: Case, durer: answers.Printed) -> str:
     code = re.search(r"D\d{4}", durer.error or "")
+    if durer.file not in ("", SCENE):
+        return f"{code[0] if code else durer.error} at {durer.file}:{durer.line}:{durer.column}"
     line = durer.line - case.first - 1 if durer.line else 0
     return f"{code[0] if code else durer.error} at {line}:{durer.column}" if durer.error else ""
 
@@ -159,7 +162,7 @@ def marks_of(case: Case) -> list[str]:
     print(f"{case.name()}: POV-Ray: {oracle.error} (line {oracle.line}); durer: {durer.error}")
     if durer.error is None:
         return ["// beyond", *marks]
-    return [*(["// before"] if durer.line != oracle.line else []), *marks, f"// error: {error_of(case, durer)}"]
+    return [*(["// before"] if durer.line != oracle.line or durer.file != SCENE else []), *marks, f"// error: {error_of(case, durer)}"]
 
 
 def main() -> int:

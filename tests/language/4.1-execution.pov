@@ -12,17 +12,14 @@ declare B = 2;
 
 //= directive words are case sensitive
 #Declare A = 1;
-// before
 // error: D0101 at 1:2
 
 //= an unknown word is an error when executed
 #unknown
-// before
 // error: D0101 at 1:2
 
 //= an unknown word in a skipped branch
 #if (0) #unknown #end #debug concat("fine", "\n")
-// beyond
 // expect: fine
 
 //= undefined names and nonsense in a skipped branch
@@ -31,7 +28,6 @@ declare B = 2;
 
 //= strings in a skipped branch must end
 #if (0) "abc #end
-// before
 // error: D0104 at 2:18
 
 
@@ -42,7 +38,6 @@ declare B = 2;
 //= a directive as operand of a declare
 #declare A = #if (1) 1; #else 2; #end
 #debug concat(str(A, 0, 0), "\n")
-// beyond
 // expect: 1
 
 //= a directive inside of a vector

@@ -146,9 +146,6 @@ global_settings { assumed_gamma 1 }
 #write (F, 1)
 // error: D0203 at 1:9
 
-//= a mode is needed
-#fopen F "data.txt"
-
 //= handles are global
 #macro M() #fopen F "data.txt" read #end M() #read (F, A)
 #debug concat(str(A, 0, 0), "\n")

@@ -60,10 +60,6 @@ global_settings { assumed_gamma 1 }
 #elseif (1)
 // error: D0102 at 1:1
 
-//= a missing end
-#if (1)
-
-
 //= switch
 #switch (1) #case (1) #debug "one " #break #case (2) #case (3) #debug "two or three " #break #range (4, 6) #debug "four to six " #break #else #debug "else " #end
 #switch (2) #case (1) #debug "one " #break #case (2) #case (3) #debug "two or three " #break #range (4, 6) #debug "four to six " #break #else #debug "else " #end

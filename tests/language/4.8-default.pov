@@ -12,13 +12,10 @@ union { sphere { 0, 1 } #default { pigment { rgb x } } sphere { x, 1 } }
 #debug concat("fine", "\n")
 // expect: fine
 
-//= radiosity importance
-#default { radiosity { importance 0.5 } }
+//= two textures: the last holds
+#default { texture { pigment { rgb 1 } } texture { pigment { rgb 1 } } }
 #debug concat("fine", "\n")
 // expect: fine
-
-//= a layered default texture
-#default { texture { pigment { rgb 1 } } texture { pigment { rgb 1 } } }
 
 //= something else
 #default { sphere { 0, 1 } }

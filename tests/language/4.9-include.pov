@@ -43,7 +43,8 @@ union { #include "spheres.inc" }
 
 //= an include that includes itself
 #include "itself.inc"
-// error: D0303 at -35:10
+// before
+// error: D0303 at itself.inc:1:10
 
 //= a number is no file name
 #include 5
