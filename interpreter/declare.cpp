@@ -243,7 +243,7 @@ std::size_t Interpreter::flat_index(const Subscripts& list, const Array& array, 
                        list.size()));
     }
     const Subscript& s = list[used++];
-    const double v = std::trunc(s.value + epsilon);
+    const double v = std::floor(s.value + epsilon);
     if (!(v >= 0 && v < static_cast<double>(size))) {
       fail(Code::out_of_range, s.span,
            fmt::format("subscript {:g} is outside the array, which has {} elements here", v, size),
@@ -306,7 +306,7 @@ std::shared_ptr<Array> Interpreter::read_array(Span span) {
   // Elements follow immediately or not at all, so it is safe to look at what is written next.
   while (raw_next().kind == Token::Kind::bracket_open) {
     next();
-    const double v = std::trunc(read_num(1).v[0] + epsilon);
+    const double v = std::floor(read_num(1).v[0] + epsilon);
     const Token close = next();
     if (close.kind != Token::Kind::bracket_close) unexpected(close, "`]` after the size");
     if (!(v >= 1))

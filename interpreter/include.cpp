@@ -67,7 +67,9 @@ std::optional<std::string> Interpreter::find_file(const std::string& name, Span 
 
   const std::string extension = lower(fs::path(name).extension().string());
   std::vector<std::string> candidates;
-  if (extension == ".inc")
+  if (!tolerant)
+    candidates = {name};
+  else if (extension == ".inc")
     candidates = {name, name + ".inc", name + ".INC"};
   else
     candidates = {name + ".inc", name + ".INC", name};
