@@ -48,6 +48,7 @@ class Render {
     if (frame->scene) compiled = tracer::compile(*frame->scene, frame->diagnostics);
     console_.print(frame->diagnostics);
     if (!compiled || frame->diagnostics.has_errors()) return exit_code::error;
+    stop_ = &interrupts_set_flag();  // from here on there is something to keep
     console_.print(Stream::render, assumptions(settings_, frame->scene->settings) + "\n");
     return trace(*frame->scene, *compiled, *window);
   }
@@ -75,12 +76,11 @@ class Render {
                              "remove that file, or render anew without `+C`");
       }
     }
-    std::atomic<bool>& stop = interrupts_set_flag();
     std::atomic<bool> expired = false;
     const double seconds = limits_of(settings_).render_seconds;
     tracer::RenderResult result;
     {
-      const Deadline deadline(seconds, [&] { expired = stop = true; });
+      const Deadline deadline(seconds, [&] { expired = *stop_ = true; });
       ProgressLine line(stderr, terminal_columns(STDERR_FILENO));
       const bool shows = settings_.verbose.value_or(true) && console_.speaks(Stream::render) &&
                          !console_.json();
@@ -88,7 +88,7 @@ class Render {
         if (shows) line.show(p);
         saved.save_now_and_then(p);
       };
-      result = tracer::render(compiled, options, on_progress, &stop, &saved.checkpoint());
+      result = tracer::render(compiled, options, on_progress, stop_, &saved.checkpoint());
       line.clear();
     }
     if (result.cancelled) return stopped(saved, expired, seconds);
@@ -145,6 +145,7 @@ class Render {
   Console& console_;
   const FrameTask& task_;
   Output output_;
+  std::atomic<bool>* stop_ = nullptr;
 };
 
 }  // namespace

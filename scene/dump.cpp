@@ -91,18 +91,13 @@ class Lines {
   std::map<FileId, std::vector<std::size_t>> starts_;
 };
 
-template <typename T>
-std::string number_text(T x) {
-  if constexpr (std::is_same_v<T, bool>) {
-    return x ? "true" : "false";
-  } else if constexpr (std::is_integral_v<T>) {
-    return fmt::format("{}", x);
-  } else {
-    // Neither infinity nor "not a number" is JSON.
-    return std::isfinite(x) ? fmt::format("{}", x)
-           : std::isnan(x)  ? "null"
-                            : std::string(x > 0 ? "1e999" : "-1e999");
+/// Shortest text that reads back as the same number.
+template <typename Writer, typename T>
+std::string text_of(T x) {
+  if constexpr (std::is_floating_point_v<T>) {
+    if (!std::isfinite(x)) return Writer::special(fmt::format("{}", x));
   }
+  return fmt::format("{}", x);
 }
 
 template <typename Writer>
@@ -180,6 +175,11 @@ class Dumper {
       for (const T& x : list) value("", x);
       out_.close_list();
     }
+  }
+
+  template <typename T>
+  static std::string number_text(T x) {
+    return text_of<Writer>(x);
   }
 
   template <typename Vector>
