@@ -11,6 +11,7 @@
 #include "scene/dump.h"
 #include "tracer/compile.h"
 #include "tracer/object_queries.h"
+#include "tracer/pigment_queries.h"
 
 namespace durer::cli {
 namespace {
@@ -36,6 +37,8 @@ std::unique_ptr<FrameScene> read_frame(const Settings& settings, const SceneText
   interpreter::Options options = interpreter_options(settings, task);
   frame->queries = tracer::make_object_queries();
   options.queries = frame->queries.get();
+  frame->pigments = tracer::make_pigment_queries();
+  options.pigments = frame->pigments.get();
   options.stdlib_path = stdlib_folder();
   options.fallback_paths = installed_include_folders();
   options.on_debug = [&](std::string_view said) { console.print(Stream::debug, said); };

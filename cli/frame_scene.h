@@ -9,6 +9,7 @@
 #include "cli/scene_file.h"
 #include "cli/sequence.h"
 #include "scene/object_queries.h"
+#include "scene/pigment_queries.h"
 #include "scene/scene.h"
 
 namespace durer::cli {
@@ -18,6 +19,7 @@ struct FrameScene {
   SourceMap sources;
   Diagnostics diagnostics{sources};
   std::unique_ptr<scene::ObjectQueries> queries;
+  std::unique_ptr<scene::PigmentQueries> pigments;
   std::optional<scene::Scene> scene;  // empty: there were errors
   double seconds = 0;                 // of reading
 };

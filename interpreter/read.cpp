@@ -591,10 +591,10 @@ Value Interpreter::read_value() {
     }
     case w::pigment:
       return Value(std::make_shared<const scene::Pigment>(
-          read_pigment(scene_.textures[default_texture_].layers.back().pigment)));
+          read_pigment(*scene_.textures[default_texture_].layers.back().pigment)));
     case w::finish:
       return Value(std::make_shared<const scene::Finish>(
-          read_finish(scene_.textures[default_texture_].layers.back().finish)));
+          read_finish(*scene_.textures[default_texture_].layers.back().finish)));
     case w::color_map:
     case w::colour_map: return Value(std::make_shared<const ColourMap>(read_colour_map()));
     case w::pigment_map: return Value(std::make_shared<const ColourMap>(read_pigment_map()));

@@ -17,6 +17,7 @@ namespace {
 template <typename Struct>
 inline constexpr bool complete = arity<Struct>() == std::tuple_size_v<decltype(Fields<Struct>::all)>;
 static_assert(complete<Object>);
+static_assert(complete<ObjectExtras>);
 static_assert(complete<Mesh>);
 static_assert(complete<TextureUse>);
 static_assert(complete<Root>);
@@ -50,6 +51,11 @@ bool same(const std::vector<T>& a, const std::vector<T>& b) {
 
 bool same(const SharedTransform& a, const SharedTransform& b) {
   return a.get().forward == b.get().forward;
+}
+
+template <typename T>
+bool same(const Boxed<T>& a, const Boxed<T>& b) {
+  return a.same(b) || same(*a, *b);
 }
 
 template <typename T>
@@ -140,25 +146,22 @@ class Dumper {
   void value(std::string_view name, const std::string& x) { out_.word(name, x); }
   void value(std::string_view name, const vec3& v) { triple(name, v); }
   void value(std::string_view name, const dvec3& v) { triple(name, v); }
-  void value(std::string_view name, const glm::vec2& v) {
-    out_.numbers(name, {number_text(v.x), number_text(v.y)});
-  }
-  void value(std::string_view name, const Triple& t) {
-    const auto text = [](std::uint32_t i) { return i == none ? "-1" : number_text(i); };
-    out_.numbers(name, {text(t[0]), text(t[1]), text(t[2])});
-  }
-  void value(std::string_view name, const std::shared_ptr<const Mesh>& mesh) {
-    if (!mesh) return out_.nothing(name);
-    const auto [known, is_new] = mesh_ids_.emplace(mesh.get(), meshes_.size());
-    if (is_new) meshes_.push_back(mesh.get());
-    out_.number(name, number_text(known->second));
-  }
   void value(std::string_view name, const SharedTransform& t) {
     if (t.is_identity()) {
       out_.nothing(name);
     } else {
       structure(name, t.get().forward);
     }
+  }
+  template <typename T>
+  void value(std::string_view name, const Boxed<T>& x) {
+    value(name, *x);
+  }
+  void value(std::string_view name, const std::shared_ptr<const Mesh>& mesh) {
+    if (!mesh) return out_.nothing(name);
+    const auto [known, is_new] = mesh_ids_.emplace(mesh.get(), meshes_.size());
+    if (is_new) meshes_.push_back(mesh.get());
+    out_.number(name, number_text(known->second));
   }
   template <typename T>
   void value(std::string_view name, const std::optional<T>& x) {
@@ -177,6 +180,14 @@ class Dumper {
     }
   }
 
+  void value(std::string_view name, const Triple& t) {
+    std::vector<std::string> texts;
+    for (const std::uint32_t x : t) texts.push_back(x == none ? "null" : number_text(x));
+    out_.numbers(name, texts);
+  }
+  void value(std::string_view name, const glm::vec2& v) {
+    out_.numbers(name, {number_text(v.x), number_text(v.y)});
+  }
   template <typename T>
   static std::string number_text(T x) {
     return text_of<Writer>(x);
@@ -191,14 +202,22 @@ class Dumper {
   void structure(std::string_view name, const T& x) {
     static const T plain{};
     out_.open_struct(name);
-    std::apply([&](const auto&... f) { (member(x, plain, f), ...); }, Fields<T>::all);
+    members(x, plain);
     out_.close_struct();
+  }
+
+  template <typename T>
+  void members(const T& x, const T& plain) {
+    std::apply([&](const auto&... f) { (member(x, plain, f), ...); }, Fields<T>::all);
   }
 
   template <typename T, typename Member>
   void member(const T& x, const T& plain, const Field<T, Member>& f) {
     if constexpr (std::is_same_v<Member, OriginId>) {
       if (f.role == Role::place) return place(f.name, x.*f.member);
+    }
+    if constexpr (std::is_same_v<Member, Boxed<ObjectExtras>>) {
+      return members(*(x.*f.member), *(plain.*f.member));  // as if they were the object's own
     }
     if (!Writer::writes_defaults && same(x.*f.member, plain.*f.member)) return;
     if constexpr (std::is_same_v<Member, std::uint32_t>) {
