@@ -82,8 +82,8 @@ class Render {
     {
       const Deadline deadline(seconds, [&] { expired = *stop_ = true; });
       ProgressLine line(stderr, terminal_columns(STDERR_FILENO));
-      const bool shows = settings_.verbose.value_or(true) && console_.speaks(Stream::render) &&
-                         !console_.json();
+      const bool shows =
+          settings_.verbose.value_or(true) && console_.speaks(Stream::render) && !console_.json();
       const auto on_progress = [&](const tracer::Progress& p) {
         if (shows) line.show(p);
         saved.save_now_and_then(p);
@@ -101,11 +101,10 @@ class Render {
         lost ? *lost : fmt::format("`+C` takes up what is in {}", saved.path());
     if (expired) {
       return console_.fail(
-          Code::limit,
-          fmt::format("rendering takes longer than Max_Render_Seconds={:g}", seconds), state);
+          Code::limit, fmt::format("rendering takes longer than Max_Render_Seconds={:g}", seconds),
+          state);
     }
-    console_.print(Stream::fatal,
-                   fmt::format("interrupted, no picture was written; {}\n", state));
+    console_.print(Stream::fatal, fmt::format("interrupted, no picture was written; {}\n", state));
     return exit_code::interrupted;
   }
 

@@ -15,7 +15,8 @@ namespace {
 
 // A struct with a new member must get a line in fields.h.
 template <typename Struct>
-inline constexpr bool complete = arity<Struct>() == std::tuple_size_v<decltype(Fields<Struct>::all)>;
+inline constexpr bool complete =
+    arity<Struct>() == std::tuple_size_v<decltype(Fields<Struct>::all)>;
 static_assert(complete<Object>);
 static_assert(complete<ObjectExtras>);
 static_assert(complete<Mesh>);
@@ -38,7 +39,9 @@ static_assert(complete<Affine>);
 static_assert(arity<Scene>() == 10);
 
 template <typename T>
-concept HasWords = requires { Words<T>::all; };
+concept HasWords = requires {
+  Words<T>::all;
+};
 
 /// Equality of everything that can be in a scene; places do not count.
 template <typename T>

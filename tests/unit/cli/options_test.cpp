@@ -17,9 +17,8 @@ using test::refused;
 /// A legal value for each option, as far as `1` and `on` do not serve.
 std::string sample(const Option& o) {
   static const std::map<std::string_view, std::string> special = {
-      {"Output_File_Type", "N"}, {"Size", "8x6"},      {"Declare", "A=1"},
-      {"Bits_Per_Color", "8"},   {"Version", "3.7"},   {"Quality", "9"},
-      {"File_Gamma", "1.8"},     {"Diagnostics", "json"},
+      {"Output_File_Type", "N"}, {"Size", "8x6"},  {"Declare", "A=1"},    {"Bits_Per_Color", "8"},
+      {"Version", "3.7"},        {"Quality", "9"}, {"File_Gamma", "1.8"}, {"Diagnostics", "json"},
   };
   if (o.keyword.ends_with("_Return")) return "S";
   if (const auto found = special.find(o.keyword); found != special.end()) return found->second;

@@ -7,7 +7,7 @@
 #include "tests/support/catch.h"
 
 namespace durer::scene {
-namespace {
+namespace arity_test {  // not nameless: arity.h declares a conversion to each of these
 
 struct Empty {};
 struct One {
@@ -26,9 +26,10 @@ struct Mixed {
   std::array<std::uint32_t, 3> triple{};
 };
 
-}  // namespace
+}  // namespace arity_test
 
 TEST_CASE("arity: counts the members of aggregates of any types", "[scene][arity]") {
+  using namespace arity_test;
   CHECK(arity<Empty>() == 0);
   CHECK(arity<One>() == 1);
   CHECK(arity<Mixed>() == 10);
