@@ -26,6 +26,7 @@ constexpr std::array chapters = {
     Chapter{Group::debugging, "Looking into scenes"},
     Chapter{Group::messages, "Messages"},
     Chapter{Group::no_effect, "Accepted, without effect on the picture"},
+    Chapter{Group::obsolete, "Obsolete: ignored with a warning"},
     Chapter{Group::not_yet, "Not supported yet: an error when used"},
 };
 
@@ -49,7 +50,7 @@ constexpr std::string_view exit_codes =
     "  1  an error; no picture was written, except of frames before it\n"
     "  2  stopped by SIGINT or SIGTERM; no half picture is ever written\n";
 
-constexpr std::string_view chapters_of_its_own =
+constexpr std::string_view explanations =
     "\n## Animations\n\n"
     "One process renders all frames, each from a fresh start. `clock` runs from `Initial_Clock` "
     "to\n"
@@ -174,7 +175,7 @@ std::string help_markdown() {
                          code(long_text(o)), o.doc);
     }
   }
-  out += chapters_of_its_own;
+  out += explanations;
   out += "\n## Output types\n\n| name | letter | extension | meaning |\n|---|---|---|---|\n";
   for (const image::Format* f : image::formats()) {
     out += fmt::format("| {} | {} | `{}` | {} |\n", f->name,

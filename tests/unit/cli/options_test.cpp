@@ -205,6 +205,14 @@ TEST_CASE("options: what is not supported yet is an error that names it", "[cli]
   }
 }
 
+TEST_CASE("options: obsolete ones are read, with a warning", "[cli][options]") {
+  for (const Option& o : options()) {
+    const test::Result r = test::read({std::string(o.keyword) + "=" + sample(o)});
+    CAPTURE(o.keyword, r.warnings);
+    CHECK(r.warnings.size() == (o.group == Group::obsolete ? 1 : 0));
+  }
+}
+
 TEST_CASE("options: defaults", "[cli][options]") {
   const Settings s = accepted({});
   CHECK(s.width == 800);
