@@ -79,7 +79,24 @@ bool Interpreter::assign_number(const ast::Tree& tree, const ast::Declare& node)
   return true;
 }
 
-void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Declare& node) {
+/// Numbers end with a semicolon, since version 3.1 in earnest since 3.5 (language §1.7).
+void Interpreter::missing_semicolon(const ast::Declare& node, const Num& n) {
+  if (version() < 310) return;
+  const std::string_view kind = n.length == 1 ? "float" : n.length == 5 ? "colour" : "vector";
+  std::string message = fmt::format("this `#{}` of a {} must end with `;`",
+                                    node.local ? "local" : "declare", kind);
+  const std::string_view help = "add a `;` after the value";
+  if (version() < 350) return warn(Code::syntax, node.target, std::move(message), std::string(help));
+  // The value is known: nothing else suffers.
+  Diagnostic d;
+  d.code = Code::syntax;
+  d.span = node.target;
+  d.message = std::move(message);
+  d.help.emplace_back(help);
+  report(std::move(d));
+}
+
+void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Declare& node) try {
   (void)d;
   if (symbols_.reserved(node.name)) {
     fail(Code::unexpected_item, node.target,
@@ -103,15 +120,7 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
     declare_depth_ = outer;
     semicolon = accept_raw_punct(';');
   }
-  if (!semicolon && value.get<Num>() != nullptr && version() >= 350) {
-    const Num& n = *value.get<Num>();
-    fail(Code::syntax, node.target,
-         fmt::format("this `#{}` of a {} must end with `;`", node.local ? "local" : "declare",
-                     n.length == 1   ? "float"
-                     : n.length == 5 ? "colour"
-                                     : "vector"),
-         "add a `;` after the value");
-  }
+  if (!semicolon && value.get<Num>() != nullptr) missing_semicolon(node, *value.get<Num>());
 
   if (node.subscripts.count > 0) {
     Slot* slot = env_.find(node.name);
@@ -146,6 +155,7 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
                      name_of(node.name), kind_name(*target), kind_name(value)));
   }
   store(*target, std::move(value), false, nullptr, node.target);
+  slot.declared = node.target;
   slot.deprecated.reset();
   if (node.deprecated) {
     auto note = std::make_shared<Deprecation>();
@@ -155,6 +165,9 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
                         : fmt::format("`{}` is deprecated", name_of(node.name));
     slot.deprecated = std::move(note);
   }
+} catch (const Failure&) {
+  poison(node.name, node.local ? env_.scope() : 0, true);
+  throw;
 }
 
 /// Warns when a deprecated name is used.
@@ -455,6 +468,7 @@ void Interpreter::enter_macro(const ast::Tree& tree, ast::ExprId id, const Macro
     env_.link(*arguments_[first + i], ref.tree->params[macro.params.first + i].name);
   }
   arguments_.resize(first);
+  if (options_.on_trace) trace_call(f, *ref.tree, macro);
 }
 
 }  // namespace durer::interpreter

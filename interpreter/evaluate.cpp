@@ -156,8 +156,14 @@ void Interpreter::unknown_name(SymbolId name, Span span) {
   for (const SymbolId id : env_.visible_names()) names.push_back(name_of(id));
   for (SymbolId id = 0; id < w::count_; ++id) names.push_back(name_of(id));
   const auto near = closest(name_of(name), names);
-  fail(Code::unknown_name, span, fmt::format("`{}` is not declared", name_of(name)),
-       near ? fmt::format("did you mean `{}`?", *near) : std::string());
+  Diagnostic d;
+  d.code = Code::unknown_name;
+  d.span = span;
+  d.message = fmt::format("`{}` is not declared", name_of(name));
+  if (near) d.help.push_back(fmt::format("did you mean `{}`?", *near));
+  report(std::move(d));
+  poison(name, 0, false);  // told once
+  stop_here(false);
 }
 
 int Interpreter::take_value(const Value& value, Span span, int want, double* v) {

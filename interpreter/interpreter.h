@@ -4,6 +4,7 @@
 
 #include <array>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
@@ -30,8 +31,11 @@ class MeshBuilder;
 /// "1 argument", "3 arguments"; for messages.
 [[nodiscard]] std::string argument_count(std::size_t n);
 
-/// Unwinds the interpreter after an error has been reported; never leaves `interpret`.
-struct Failure {};
+/// Unwinds the interpreter after an error has been reported; never leaves `interpret`. `final`: the
+/// rest of the scene is not even looked at.
+struct Failure {
+  bool final = false;
+};
 
 class Interpreter {
  public:
@@ -171,6 +175,7 @@ class Interpreter {
     }
     return std::nullopt;
   }
+  void missing_semicolon(const ast::Declare& node, const Num& n);
   bool assign_number(const ast::Tree& tree, const ast::Declare& node);
   static void store_number(Value& target, Num n);
   void store(Value& target, Value value, bool is_element, const Array* array, Span span);
@@ -187,10 +192,20 @@ class Interpreter {
   template <typename Body>
   void in_parentheses(std::string_view what, Body body);
 
+  // ---- file_access.cpp: which files, and where they are
+  [[nodiscard]] std::vector<std::filesystem::path> search_folders(Span span) const;
+  [[nodiscard]] bool may_read(const std::filesystem::path& path) const;
+  [[nodiscard]] bool may_write(const std::filesystem::path& path) const;
+  /// Every file that a scene reads is found here; `suffixes` (".inc") may be left out in scenes.
+  [[nodiscard]] std::optional<std::string> find_file(
+      const std::string& name, Span span, std::span<const std::string_view> suffixes = {},
+      bool tolerant = true);
+  [[noreturn]] void missing_file(const std::string& name, Span span,
+                                 std::span<const std::string_view> suffixes = {});
+  void check_writable(const std::string& path, Span span);
+
   // ---- include.cpp: files
   const ast::Tree& load(const std::string& name, Span span);
-  [[nodiscard]] std::optional<std::string> find_file(const std::string& name, Span span,
-                                                     bool tolerant = true);
   void include(const std::string& name, Span span);
 
   // ---- evaluate.cpp: closed expressions
@@ -307,6 +322,11 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   void skip_block();
   Value skip_unsupported(std::string_view feature, Span span);
 
+  // ---- predefined.cpp, macro_trace.cpp
+  void predefine();
+  void trace_call(const Frame& frame, const ast::Tree& tree, const ast::Macro& macro);
+  void trace_return(const Frame& frame);
+
   // ---- blocks: scene things
   void top_level();
   std::optional<Transform> read_transformation(const Token& token);
@@ -378,6 +398,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   void read_max_trace_level(const Token& word);
   void read_assumed_gamma(const Token& word);
   void finish_settings();
+  void finish();
 
   // ---- messages
   [[noreturn]] void fail(Code code, Span span, std::string message, std::string help = {},
@@ -385,7 +406,23 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   [[noreturn]] void fail(Diagnostic d);
   void warn(Code code, Span span, std::string message, std::string help = {});
   void add_trace(Diagnostic& d) const;
+
+  // ---- recovery.cpp: several errors in one run
+  static constexpr std::size_t no_reader = SIZE_MAX;
   [[nodiscard]] const ast::Flaw* flaw_at(Loc loc) const;
+  [[nodiscard]] bool follows_from_earlier(const Diagnostic& d) const;
+  void label_declaration(Diagnostic& d) const;
+  void report(Diagnostic d);
+  [[noreturn]] void stop_here(bool final);
+  void poison(SymbolId name, std::uint32_t scope, bool overwrite);
+  void poison_declared(const ast::Tree& tree, ast::Range items, bool locals, std::uint32_t scope);
+  void poison_declared(const ast::Tree& tree, const ast::Directive& directive, bool locals,
+                       std::uint32_t scope);
+  void poison_what_is_skipped();
+  [[nodiscard]] std::size_t resume_frame() const;
+  bool recover(const Failure& failure);
+  void skip_to_statement();
+
   void remember(const ast::Tree& tree);
   [[noreturn]] void not_supported(std::string_view feature, Span span);
   scene::OriginId origin(Span span);
@@ -394,6 +431,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   [[nodiscard]] int version() const { return declared_version_; }
 
   SourceMap& sources_;
+  FileId main_file_ = 0;
   const scene::Registry& registry_;
   const Options& options_;
   Diagnostics& diagnostics_;
@@ -419,6 +457,10 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   std::vector<std::vector<std::uint32_t>> codes_of_;  // by file, expression: 1 + index into codes_
   std::vector<ScalarCode> codes_;
   std::unordered_set<std::uint64_t> warned_;
+  std::unordered_set<Loc> reported_;  // places of errors
+  bool failed_ = false;               // an error has been reported: there will be no scene
+  bool names_are_missing_ = false;    // a whole file could not be read
+  std::size_t reading_depth_ = no_reader;  // frames when the statement being read began
 
   // Reserved word → index into the registry.
   std::unordered_map<SymbolId, std::uint32_t> primitive_words_;

@@ -96,6 +96,9 @@ struct Unsupported {
   Span span;
 };
 
+/// What a name stands for whose declaration failed: errors about it are consequences of that one.
+struct Poison {};
+
 template <typename T>
 using Shared = std::shared_ptr<const T>;
 
@@ -104,7 +107,7 @@ using Thing =
     std::variant<ObjectRef, TextureRef, Shared<scene::Pigment>, Shared<scene::Finish>,
                  Shared<ColourMap>, InteriorRef, Shared<Material>, Shared<Transform>,
                  Shared<CameraSpec>, Shared<scene::SkySphere>, std::shared_ptr<DataFile>,
-                 Shared<UserFunction>, Shared<functions::Spline>, Shared<Unsupported>>;
+                 Shared<UserFunction>, Shared<functions::Spline>, Shared<Unsupported>, Poison>;
 
 /// The few kinds that loops copy and overwrite all the time are alternatives of their own; the
 /// others share one, so that copying a value is a short switch.
