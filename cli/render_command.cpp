@@ -16,6 +16,7 @@
 #include "cli/scene_file.h"
 #include "cli/terminal.h"
 #include "tracer/object_queries.h"
+#include "tracer/pigment_queries.h"
 
 namespace durer::cli {
 namespace {
@@ -55,6 +56,8 @@ class Render {
     interpreter::Options options = interpreter_options(settings_);
     const auto queries = tracer::make_object_queries();
     options.queries = queries.get();
+    const auto pigments = tracer::make_pigment_queries();
+    options.pigments = pigments.get();
     options.stdlib_path = stdlib_folder();
     options.fallback_paths = installed_include_folders();
     options.on_debug = [&](std::string_view text) { console_.print(Stream::debug, text); };

@@ -82,6 +82,10 @@ bool Interpreter::is_defined(const ast::Tree& tree, ast::ExprId id) {
   if (const auto* name = std::get_if<ast::Name>(&e.node)) {
     return !symbols_.reserved(name->name) && env_.find(name->name) != nullptr;
   }
+  if (additions_) {
+    const Value* v = place(tree, id, Access::probe).value;
+    return v != nullptr && v->defined();
+  }
   if (const auto array = array_of(e)) {
     return element(*array, read_subscripts(tree, id), e.span, false, false)->defined();
   }
@@ -256,13 +260,14 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
 
 void Interpreter::set_version(double v, Span span) {
   const int hundredths = static_cast<int>(std::lround(v * 100));
-  if (hundredths > 370) {
+  if (hundredths > 380) {
     fail(Code::version, span, fmt::format("language version {:g} is not supported yet", v),
-         "this program speaks versions up to 3.7: write `#version 3.7;`");
+         "this program speaks versions up to 3.8: write `#version 3.8;`");
   }
   if (hundredths < 100) {
     fail(Code::version, span, fmt::format("there is no language version {:g}", v));
   }
+  if (hundredths >= 380) declare_additions();
   declared_version_ = hundredths;
   version_given_ = true;
 }

@@ -27,12 +27,12 @@ struct Operator {
   int level;
 };
 constexpr std::array operators{
-    Operator{'|', Op::either, 1},     Operator{'&', Op::both, 2},
-    Operator{'=', Op::equal, 3},      Operator{'n', Op::not_equal, 3},
-    Operator{'<', Op::less, 3},       Operator{'l', Op::less_equal, 3},
-    Operator{'>', Op::greater, 3},    Operator{'g', Op::greater_equal, 3},
-    Operator{'+', Op::add, 4},        Operator{'-', Op::subtract, 4},
-    Operator{'*', Op::multiply, 5},   Operator{'/', Op::divide, 5},
+    Operator{'|', Op::either, 1},   Operator{'&', Op::both, 2},
+    Operator{'=', Op::equal, 3},    Operator{'n', Op::not_equal, 3},
+    Operator{'<', Op::less, 3},     Operator{'l', Op::less_equal, 3},
+    Operator{'>', Op::greater, 3},  Operator{'g', Op::greater_equal, 3},
+    Operator{'+', Op::add, 4},      Operator{'-', Op::subtract, 4},
+    Operator{'*', Op::multiply, 5}, Operator{'/', Op::divide, 5},
 };
 const Operator* operator_of(char mark) {
   const auto* found = std::ranges::find(operators, mark, &Operator::mark);
@@ -297,8 +297,7 @@ functions::Value Interpreter::FunctionReader::captured(const Value& v, Span span
     help = fmt::format("to call it, write its arguments: `{}(x, y, z)`", name);
   }
   in_.fail(Code::wrong_kind, span,
-           fmt::format("functions compute with floats only, `{}` is {}", name, kind_name(v)),
-           help);
+           fmt::format("functions compute with floats only, `{}` is {}", name, kind_name(v)), help);
 }
 
 functions::Value Interpreter::FunctionReader::element(const ast::Tree& tree, ast::ExprId id) {
@@ -322,10 +321,10 @@ void Interpreter::FunctionReader::unknown(Span span, SymbolId name) {
 
 functions::Value Interpreter::FunctionReader::number(const Operand& o) {
   if (o.components.size() == 1) return o.components[0];
-  in_.fail(Code::missing_argument, o.span,
-           fmt::format("this call has {} components; a function needs one of them",
-                       o.components.size()),
-           "write one behind it: .x .y .z, .red .green .blue .filter .transmit, .gray or .hf");
+  in_.fail(
+      Code::missing_argument, o.span,
+      fmt::format("this call has {} components; a function needs one of them", o.components.size()),
+      "write one behind it: .x .y .z, .red .green .blue .filter .transmit, .gray or .hf");
 }
 
 functions::Value Interpreter::FunctionReader::member(const Operand& o, SymbolId name, Span span) {

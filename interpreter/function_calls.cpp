@@ -86,13 +86,13 @@ std::vector<functions::Value> Interpreter::FunctionReader::call(const ast::Tree&
   if (f == nullptr) {
     if (const auto* u = v->get<Shared<Unsupported>>()) in_.not_supported((*u)->feature, at);
     const bool spline = v->get<Shared<functions::Spline>>() != nullptr;
-    in_.fail(Code::wrong_kind, at,
-             fmt::format("expected a function to call, `{}` is {}", in_.name_of(name),
-                         kind_name(*v)),
-             spline ? fmt::format("make a function of it: `#declare F = function {{ spline {{ {} "
-                                  "}} }}`",
-                                  in_.name_of(name))
-                    : "");
+    in_.fail(
+        Code::wrong_kind, at,
+        fmt::format("expected a function to call, `{}` is {}", in_.name_of(name), kind_name(*v)),
+        spline ? fmt::format("make a function of it: `#declare F = function {{ spline {{ {} "
+                             "}} }}`",
+                             in_.name_of(name))
+               : "");
   }
   const Shared<UserFunction> keep = *f;  // a directive in the arguments might undefine it
   Arguments arguments(*this, tree, e);
@@ -202,8 +202,8 @@ void Interpreter::FunctionReader::wrong_count(std::string_view name, std::string
   Diagnostic d;
   d.code = Code::missing_argument;
   d.span = span;
-  d.message = fmt::format("`{}` takes {}, here {} {}", name, takes, given == 1 ? "is" : "are",
-                          given);
+  d.message =
+      fmt::format("`{}` takes {}, here {} {}", name, takes, given == 1 ? "is" : "are", given);
   if (declared.begin != 0) d.labels.push_back({declared, "the function is declared here"});
   in_.fail(std::move(d));
 }

@@ -14,9 +14,17 @@ namespace w = grammar::words;
 
 namespace {
 Value value_of(functions::Function tape, bool is_vector, Span declared) {
-  return {std::make_shared<const UserFunction>(
-      UserFunction{std::make_shared<const functions::Function>(std::move(tape)), is_vector,
-                   declared})};
+  return {std::make_shared<const UserFunction>(UserFunction{
+      std::make_shared<const functions::Function>(std::move(tape)), is_vector, declared})};
+}
+
+/// The feature that keeps a pigment from being evaluated, or null.
+const std::string* unsupported_in(const scene::Pigment& pigment) {
+  if (!pigment.unsupported.empty()) return &pigment.unsupported;
+  for (const scene::Pigment& child : pigment.children) {
+    if (const std::string* feature = unsupported_in(child)) return feature;
+  }
+  return nullptr;
 }
 }  // namespace
 
@@ -32,8 +40,8 @@ void Interpreter::check_not_function(Slot* slot, Span span) {
 }
 
 void Interpreter::function_stays(SymbolId name, Span span) {
-  fail(Code::wrong_kind, span, fmt::format("`{}` is a function and cannot be redeclared",
-                                           name_of(name)),
+  fail(Code::wrong_kind, span,
+       fmt::format("`{}` is a function and cannot be redeclared", name_of(name)),
        fmt::format("`#undef {}` first, or choose another name", name_of(name)));
 }
 
@@ -66,9 +74,9 @@ std::vector<SymbolId> Interpreter::read_parameters() {
   std::vector<SymbolId> names;
   const auto add = [&](const Token& t) {
     const auto* name = t.node<ast::Name>();
-    const bool is_register = name != nullptr && (name->name == w::x || name->name == w::y ||
-                                                 name->name == w::z || name->name == w::u ||
-                                                 name->name == w::v);
+    const bool is_register =
+        name != nullptr && (name->name == w::x || name->name == w::y || name->name == w::z ||
+                            name->name == w::u || name->name == w::v);
     if (name == nullptr || (symbols_.reserved(name->name) && !is_register)) {
       fail(Code::unexpected_item, t.span,
            fmt::format("expected the name of a parameter, found {}", describe(t)),
@@ -81,8 +89,8 @@ std::vector<SymbolId> Interpreter::read_parameters() {
                        name_of(name->name)));
     }
     if (names.size() == UserFunction::max_parameters) {
-      fail(Code::limit, t.span, fmt::format("a function has at most {} parameters",
-                                            UserFunction::max_parameters));
+      fail(Code::limit, t.span,
+           fmt::format("a function has at most {} parameters", UserFunction::max_parameters));
     }
     names.push_back(name->name);
   };
@@ -144,13 +152,13 @@ Value Interpreter::read_special_function(Span span) {
   const bool is_pattern = word.word == w::pattern;
   const scene::Pigment pigment = is_pattern ? read_pattern(word) : read_pigment({});
   expect_close("function", span);
-  if (!pigment.unsupported.empty()) {
-    return {std::make_shared<const Unsupported>(Unsupported{pigment.unsupported, word.span})};
+  if (const std::string* feature = unsupported_in(pigment)) {
+    return {std::make_shared<const Unsupported>(Unsupported{*feature, word.span})};
   }
   if (options_.pigments == nullptr) not_supported("asking a pigment for its colour", word.span);
   return value_of(functions::make_external_function(
-                      is_pattern ? options_.pigments->pattern_function(pigment)
-                                 : options_.pigments->pigment_function(pigment)),
+                      is_pattern ? options_.pigments->pattern_function(scene_, pigment)
+                                 : options_.pigments->pigment_function(scene_, pigment)),
                   !is_pattern, span);
 }
 

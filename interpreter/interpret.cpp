@@ -173,6 +173,13 @@ std::optional<scene::Scene> Interpreter::run(FileId main_file) {
   f.end = tree->top.first + tree->top.count;
   main_trees_.push_back(std::move(tree));
   frames_.push_back(f);
+  const std::string_view path = sources_.path(main_file);
+  if (options_.version == 0 && path.ends_with(".scene")) {
+    native_ = true;
+    set_version(3.8, {});
+  } else if (options_.version >= 380) {
+    declare_additions();
+  }
   bool header_waits = !options_.header_file.empty();
   for (;;) {
     try {

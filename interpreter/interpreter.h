@@ -131,8 +131,8 @@ class Interpreter {
   void call_macro(const ast::Tree& tree, ast::ExprId call, bool flatten);
   void enter_macro(const ast::Tree& tree, ast::ExprId call, const MacroRef& ref, ast::Range items,
                    bool flatten);
-  void add_argument(const ast::Tree& tree, ast::ExprId arg);
-  void read_open_arguments(const ast::Tree& tree, ast::Range items);
+  void add_argument(const ast::Tree& tree, ast::ExprId arg, bool optional = false);
+  void read_open_arguments(const ast::Tree& tree, ast::Range items, const MacroRef& ref);
   [[nodiscard]] const MacroRef* value_macro(const ast::Tree& tree, ast::ExprId id,
                                             bool alone) const;
   template <typename Read>
@@ -159,6 +159,7 @@ class Interpreter {
     std::array<Subscript, capacity> items_;  // NOLINT: filled up to count_
     std::size_t count_ = 0;
   };
+  Subscript read_subscript(const ast::Tree& tree, ast::ExprId id);
   Subscripts read_subscripts(const ast::Tree& tree, ast::Range list);
   /// The same of an Index or OpenGroup(index).
   Subscripts read_subscripts(const ast::Tree& tree, ast::ExprId id);
@@ -181,6 +182,33 @@ class Interpreter {
   void store(Value& target, Value value, bool is_element, const Array* array, Span span);
   void default_block();
   void set_version(double v, Span span);
+
+  // ---- places.cpp, additions.cpp: dictionaries and what else is new in 3.8
+  enum class Access : std::uint8_t { read, probe, write };
+  /// Where a value is kept; `array` if it is an element of one.
+  struct Place {
+    Value* value = nullptr;
+    Array* array = nullptr;
+  };
+  Place place(const ast::Tree& tree, ast::ExprId id, Access access);
+  Place scope_entry(SymbolId scope, SymbolId name, Span span, Access access);
+  Place step_into(Place from, const ast::Tree& tree, ast::Range subscripts, Span span,
+                  Access access);
+  Place dictionary_entry(Value& dictionary, const Text& key, Span span, Access access);
+  [[noreturn]] void no_entry(const Dictionary& dictionary, const Text& key, Span span);
+  Value* entry(const ast::Tree& tree, ast::ExprId id, bool must_exist);
+  [[nodiscard]] bool is_scope(SymbolId name) const;
+  [[nodiscard]] bool in_dictionary(SymbolId name) const;
+  [[nodiscard]] bool starts_dictionary(const Token& token) const;
+  Value read_dictionary();
+  void assign(const ast::Tree& tree, const ast::Declare& node, Value value, std::uint32_t scope,
+              Slot* existing);
+  void assign_place(const ast::Tree& tree, const ast::Declare& node, Value value);
+  void assign_target(const ast::Tree& tree, const ast::Tuple& node, ast::ExprId target,
+                     Value value);
+  void run(const ast::Tree& tree, const ast::Directive& d, const ast::Tuple& node);
+  void declare_additions();
+  void check_new_name(SymbolId name, Span span);
 
   // ---- files.cpp: data files
   SymbolId read_name(std::string_view what);
@@ -305,7 +333,10 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   vec3 read_rgb();     // where only rgb is wanted
   Value read_value();  // the right side of a declare, an argument, an element
   std::shared_ptr<Array> read_array(Span span);
-  void read_array_level(Array& array, std::size_t level, std::size_t& filled, Span span);
+  void read_array_level(Array& array, std::size_t level, std::size_t first, bool lenient,
+                        Span span);
+  void add_size(Array& array, double written, std::size_t& total, Span span);
+  void grow(Array& array, double subscript, Span span);
   void optional_comma();
   void accept_raw_comma_or_peek();
   [[nodiscard]] std::string describe(const Token& token) const;
@@ -476,6 +507,8 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   std::shared_ptr<const CameraSpec> camera_;
   int declared_version_ = 370;
   bool version_given_ = false;
+  bool native_ = false;     // a `.scene`: 3.8 and linear colours unless it says otherwise
+  bool additions_ = false;  // 3.8 is or was in force: there may be dictionaries
   bool assumed_gamma_given_ = false;
   bool utf8_ = false;
   Span last_span_;

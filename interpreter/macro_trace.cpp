@@ -44,7 +44,7 @@ void Interpreter::trace_call(const Frame& frame, const ast::Tree& tree, const as
     const Value* v = Environment::value_of(env_.find(tree.params[macro.params.first + i].name));
     line += fmt::format("{}{}", i == 0 ? "" : ", ", v == nullptr ? "nothing" : shortened(*v));
   }
-  const Place place = sources_.place(frame.call.begin);
+  const durer::Place place = sources_.place(frame.call.begin);
   options_.on_trace(fmt::format("{}) at {}:{}", line, place.path, place.line));
 }
 

@@ -185,7 +185,11 @@ void Interpreter::read_mesh2_textures(MeshBuilder& builder, std::size_t face) {
     texture =
         to_index(read_scalar("the index of a texture"), builder.mesh.textures.size(), "texture", at);
   }
-  if (textures[0] != scene::none) builder.set_textures(face, textures);
+  if (textures[0] == scene::none) return;
+  if (textures[1] != scene::none && textures[2] == scene::none) {
+    fail(Code::missing_argument, peek().span, "a face has one texture or three, here are two");
+  }
+  builder.set_textures(face, textures);
 }
 
 void Interpreter::read_mesh2_indices(MeshBuilder& builder, const Token& word) {
@@ -301,7 +305,7 @@ scene::Object Interpreter::finish_mesh(std::uint32_t type, const Token& word,
   o.kind = scene::NodeKind::primitive;
   o.type = type;
   o.origin = origin(word.span);
-  o.mesh = std::make_shared<const scene::Mesh>(builder.finish());
+  o.extras.edit().mesh = std::make_shared<const scene::Mesh>(builder.finish());
   return o;
 }
 

@@ -96,7 +96,7 @@ scene::ObjectId Interpreter::read_object(const Token& word) {
       if (const auto* u = v->get<Shared<Unsupported>>()) {
         scene::Object node;
         node.kind = scene::NodeKind::unsupported;
-        node.unsupported = (*u)->feature;
+        node.extras.edit().unsupported = (*u)->feature;
         node.origin = origin((*u)->span);
         next();
         skip_block();
@@ -135,7 +135,7 @@ scene::ObjectId Interpreter::read_object(const Token& word) {
   }
   scene::Object node;
   node.kind = scene::NodeKind::unsupported;
-  node.unsupported = fmt::format("`{}`", name_of(word.word));
+  node.extras.edit().unsupported = fmt::format("`{}`", name_of(word.word));
   node.origin = origin(word.span);
   skip_block();
   return add_object(std::move(node));
@@ -371,12 +371,17 @@ scene::ObjectId Interpreter::read_object_modifiers(scene::Object object, const T
 void Interpreter::transform_object(scene::Object& o, const Transform& t) {
   const SharedTransform step(t);
   o.transform = o.transform.then(step);
-  if (!o.clips.empty()) o.clip_transform = o.clip_transform.then(step);
-  if (!o.bounds.empty()) o.bound_transform = o.bound_transform.then(step);
+  if (!o.extras->clips.empty()) {
+    o.extras.edit().clip_transform = o.extras->clip_transform.then(step);
+  }
+  if (!o.extras->bounds.empty()) {
+    o.extras.edit().bound_transform = o.extras->bound_transform.then(step);
+  }
   if (o.uv_mapping) return;  // its textures lie on the surface
   if (o.texture.texture != scene::none) o.texture.transform = o.texture.transform.then(step);
-  if (o.interior_texture.texture != scene::none) {
-    o.interior_texture.transform = o.interior_texture.transform.then(step);
+  if (o.extras->interior_texture.texture != scene::none) {
+    scene::TextureUse& inner = o.extras.edit().interior_texture;
+    inner.transform = inner.transform.then(step);
   }
 }
 
@@ -387,7 +392,7 @@ bool Interpreter::object_modifier(scene::Object& o, const Token& t) {
     return true;
   }
   const auto unsupported = [&](std::string_view what) {
-    if (o.unsupported.empty()) o.unsupported = what;
+    if (o.extras->unsupported.empty()) o.extras.edit().unsupported = what;
   };
   switch (t.word) {
     case w::texture: add_layers(o.texture, read_texture("texture")); return true;
@@ -395,13 +400,13 @@ bool Interpreter::object_modifier(scene::Object& o, const Token& t) {
     case w::finish:
     case w::normal: edit_texture(o.texture, t); return true;
     case w::interior_texture:
-      add_layers(o.interior_texture, read_texture("interior_texture"));
+      add_layers(o.extras.edit().interior_texture, read_texture("interior_texture"));
       return true;
     case w::interior: o.interior = read_interior(); return true;
     case w::material: {
       const Material m = read_material();
       if (m.texture != scene::none) o.texture = {m.texture, {}};
-      if (m.interior_texture != scene::none) o.interior_texture = {m.interior_texture, {}};
+      if (m.interior_texture != scene::none) o.extras.edit().interior_texture = {m.interior_texture, {}};
       if (m.interior != scene::none) o.interior = m.interior;
       return true;
     }
@@ -449,15 +454,16 @@ bool Interpreter::object_modifier(scene::Object& o, const Token& t) {
 void Interpreter::read_clips(scene::Object& o, bool clip) {
   const std::string_view block = clip ? "clipped_by" : "bounded_by";
   expect_open(block);
-  std::vector<scene::ObjectId>& list = clip ? o.clips : o.bounds;
-  SharedTransform& moved = clip ? o.clip_transform : o.bound_transform;
+  scene::ObjectExtras& extras = o.extras.edit();
+  std::vector<scene::ObjectId>& list = clip ? extras.clips : extras.bounds;
+  SharedTransform& moved = clip ? extras.clip_transform : extras.bound_transform;
   if (accept(clip ? w::bounded_by : w::clipped_by)) {
     if (!list.empty()) {
       fail(Code::scene, peek().span,
            fmt::format("`{}` cannot borrow a list when it has one", block));
     }
-    list = clip ? o.bounds : o.clips;
-    moved = clip ? o.bound_transform : o.clip_transform;
+    list = clip ? extras.bounds : extras.clips;
+    moved = clip ? extras.bound_transform : extras.clip_transform;
     expect_close(block, {});
     return;
   }

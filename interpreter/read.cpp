@@ -500,7 +500,7 @@ Num Interpreter::read_colour_num(bool strict) {
   }
   if (wanted > 0) {
     next();
-    if (is_srgb && !assumed_gamma_given_) {
+    if (is_srgb && !assumed_gamma_given_ && !native_) {
       fail(Code::evaluation, t.span,
            fmt::format("`{}` needs `assumed_gamma` to be set before it", name_of(t.word)),
            "write `global_settings { assumed_gamma 1 }` at the top of the scene");
@@ -561,8 +561,9 @@ vec3 Interpreter::read_rgb() {
 Value Interpreter::read_value() {
   const Token t = peek();
   if (t.kind == Token::Kind::expr) {
+    if (starts_dictionary(t)) return read_dictionary();
     if (t.node<ast::Name>() != nullptr || t.node<ast::Index>() != nullptr ||
-        t.node<ast::Call>() != nullptr) {
+        t.node<ast::Call>() != nullptr || additions_) {
       const Value* v = lookup(*t.tree, t.expr, false);
       if (v != nullptr && v->defined() && v->get<Num>() == nullptr) {
         next();
@@ -591,10 +592,10 @@ Value Interpreter::read_value() {
     }
     case w::pigment:
       return Value(std::make_shared<const scene::Pigment>(
-          read_pigment(scene_.textures[default_texture_].layers.back().pigment)));
+          read_pigment(*scene_.textures[default_texture_].layers.back().pigment)));
     case w::finish:
       return Value(std::make_shared<const scene::Finish>(
-          read_finish(scene_.textures[default_texture_].layers.back().finish)));
+          read_finish(*scene_.textures[default_texture_].layers.back().finish)));
     case w::color_map:
     case w::colour_map: return Value(std::make_shared<const ColourMap>(read_colour_map()));
     case w::pigment_map: return Value(std::make_shared<const ColourMap>(read_pigment_map()));

@@ -47,7 +47,7 @@ void Interpreter::read_light_items(scene::Object& o, scene::Light& l, const Toke
   bool aimed = l.kind == scene::Light::Kind::spotlight || l.parallel;
   bool cylinder = false;
   const auto unsupported = [&](std::string_view what) {
-    if (o.unsupported.empty()) o.unsupported = what;
+    if (o.extras->unsupported.empty()) o.extras.edit().unsupported = what;
   };
   const auto needs_aim = [&](const Token& t) {
     if (aimed || cylinder) return;

@@ -19,8 +19,8 @@ scene::TextureId Interpreter::add_texture(scene::Texture texture) {
 
 void Interpreter::transform_texture(scene::Texture& texture, const Transform& t) {
   for (scene::Layer& layer : texture.layers) {
-    if (layer.pigment.uv_mapping) continue;  // it lies on the surface (textures §11.7)
-    layer.pigment.transform = layer.pigment.transform.then(t);
+    if (layer.pigment->uv_mapping) continue;  // it lies on the surface (textures §11.7)
+    layer.pigment.edit().transform = layer.pigment->transform.then(t);
   }
 }
 
@@ -69,8 +69,8 @@ void Interpreter::edit_texture(scene::TextureUse& use, const Token& word) {
 
 void Interpreter::edit_layer(scene::Layer& layer, const Token& word) {
   switch (word.word) {
-    case w::pigment: layer.pigment = read_pigment(std::move(layer.pigment)); return;
-    case w::finish: layer.finish = read_finish(std::move(layer.finish)); return;
+    case w::pigment: layer.pigment = read_pigment(*layer.pigment); return;
+    case w::finish: layer.finish = read_finish(*layer.finish); return;
     default: {
       // A normal without any bumps changes nothing; every other one has to wait.
       expect_open("normal");
@@ -123,9 +123,9 @@ scene::TextureId Interpreter::read_texture_body(scene::Texture t, Span span) {
       const Value* v = lookup(*token.tree, token.expr, false);
       scene::Layer& top = t.layers.back();
       if (v != nullptr && v->get<Shared<scene::Pigment>>() != nullptr) {
-        top.pigment = **v->get<Shared<scene::Pigment>>();
+        top.pigment = Boxed(*v->get<Shared<scene::Pigment>>());
       } else if (v != nullptr && v->get<Shared<scene::Finish>>() != nullptr) {
-        top.finish = **v->get<Shared<scene::Finish>>();
+        top.finish = Boxed(*v->get<Shared<scene::Finish>>());
       } else if (v != nullptr && v->get<Shared<Unsupported>>() != nullptr) {
         if (top.unsupported.empty()) top.unsupported = (*v->get<Shared<Unsupported>>())->feature;
       } else {
@@ -354,11 +354,11 @@ void Interpreter::read_colour_list(scene::Pigment& p, const scene::PatternInfo& 
       if (t.is(w::pigment)) {
         next();
         scene::Pigment child =
-            read_pigment(scene_.textures[default_texture_].layers.back().pigment);
+            read_pigment(*scene_.textures[default_texture_].layers.back().pigment);
         p.children.push_back(std::move(child));
         optional_comma();
       } else {
-        p.children.push_back(scene_.textures[default_texture_].layers.back().pigment);
+        p.children.push_back(*scene_.textures[default_texture_].layers.back().pigment);
       }
     } else if (starts_colour(t) || t.kind == Token::Kind::expr) {
       entry.colour = read_colour();
@@ -484,7 +484,7 @@ ColourMap Interpreter::read_pigment_map() {
     scene::PigmentEntry entry;
     entry.key = static_cast<float>(read_scalar("key"));
     optional_comma();
-    scene::Pigment child = scene_.textures[default_texture_].layers.back().pigment;
+    scene::Pigment child = *scene_.textures[default_texture_].layers.back().pigment;
     child.origin = origin(t.span);
     read_pigment_body(child, Token::Kind::bracket_close);
     entry.pigment = static_cast<std::uint32_t>(map.children.size());

@@ -17,7 +17,7 @@ namespace {
 template <typename... Structs>
 inline constexpr bool complete =
     ((arity<Structs>() == std::tuple_size_v<decltype(Fields<Structs>::all)>)&&...);
-static_assert(complete<Object, TextureUse, Root, Light, Camera, SkySphere>);
+static_assert(complete<Object, ObjectExtras, Mesh, TextureUse, Root, Light, Camera, SkySphere>);
 static_assert(complete<Settings, PigmentEntry, Pigment, Finish, Layer, Texture, Interior>);
 static_assert(complete<Colour, GammaCurve, Affine>);
 // Each member of Scene has its own line in Dumper::scene(), origins are written with their users.
@@ -37,6 +37,11 @@ bool same(const std::vector<T>& a, const std::vector<T>& b) {
 
 bool same(const SharedTransform& a, const SharedTransform& b) {
   return a.get().forward == b.get().forward;
+}
+
+template <typename T>
+bool same(const Boxed<T>& a, const Boxed<T>& b) {
+  return a.same(b) || same(*a, *b);
 }
 
 template <typename T>
@@ -136,6 +141,13 @@ class Dumper {
     }
   }
   template <typename T>
+  void value(std::string_view name, const Boxed<T>& x) {
+    value(name, *x);
+  }
+  void value(std::string_view name, const std::shared_ptr<const Mesh>& x) {
+    x ? structure(name, *x) : out_.nothing(name);
+  }
+  template <typename T>
   void value(std::string_view name, const std::optional<T>& x) {
     x ? value(name, *x) : out_.nothing(name);
   }
@@ -152,6 +164,14 @@ class Dumper {
     }
   }
 
+  void value(std::string_view name, const Triple& t) {
+    std::vector<std::string> texts;
+    for (const std::uint32_t x : t) texts.push_back(x == none ? "null" : number_text(x));
+    out_.numbers(name, texts);
+  }
+  void value(std::string_view name, const glm::vec2& v) {
+    out_.numbers(name, {number_text(v.x), number_text(v.y)});
+  }
   template <typename Vector>
   void triple(std::string_view name, const Vector& v) {
     out_.numbers(name, {number_text(v.x), number_text(v.y), number_text(v.z)});
@@ -161,14 +181,22 @@ class Dumper {
   void structure(std::string_view name, const T& x) {
     static const T plain{};
     out_.open_struct(name);
-    std::apply([&](const auto&... f) { (member(x, plain, f), ...); }, Fields<T>::all);
+    members(x, plain);
     out_.close_struct();
+  }
+
+  template <typename T>
+  void members(const T& x, const T& plain) {
+    std::apply([&](const auto&... f) { (member(x, plain, f), ...); }, Fields<T>::all);
   }
 
   template <typename T, typename Member>
   void member(const T& x, const T& plain, const Field<T, Member>& f) {
     if constexpr (std::is_same_v<Member, OriginId>) {
       if (f.role == Role::place) return place(f.name, x.*f.member);
+    }
+    if constexpr (std::is_same_v<Member, Boxed<ObjectExtras>>) {
+      return members(*(x.*f.member), *(plain.*f.member));  // as if they were the object's own
     }
     if (!Writer::writes_defaults && same(x.*f.member, plain.*f.member)) return;
     if constexpr (std::is_same_v<Member, std::uint32_t>) {

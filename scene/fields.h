@@ -4,6 +4,7 @@
 #include <array>
 #include <tuple>
 
+#include "scene/mesh.h"
 #include "scene/scene.h"
 
 namespace durer::scene {
@@ -39,31 +40,54 @@ template <typename T>
 concept HasFields = requires { Fields<T>::all; };
 
 template <>
+struct Fields<ObjectExtras> {
+  static constexpr std::tuple all{
+      field("mesh", &ObjectExtras::mesh),
+      field("interior_texture", &ObjectExtras::interior_texture),
+      field("clips", &ObjectExtras::clips, Role::id),
+      field("bounds", &ObjectExtras::bounds, Role::id),
+      field("clip_transform", &ObjectExtras::clip_transform),
+      field("bound_transform", &ObjectExtras::bound_transform),
+      field("unsupported", &ObjectExtras::unsupported)};
+};
+
+template <>
 struct Fields<Object> {
   static constexpr std::tuple all{
       field("kind", &Object::kind),
-      field("type", &Object::type, Role::primitive),
-      field("args", &Object::args, Role::operands),
-      field("children", &Object::children, Role::id),
-      field("light", &Object::light, Role::id),
-      field("transform", &Object::transform),
-      field("texture", &Object::texture),
-      field("interior_texture", &Object::interior_texture),
-      field("interior", &Object::interior, Role::id),
-      field("clips", &Object::clips, Role::id),
-      field("bounds", &Object::bounds, Role::id),
-      field("clip_transform", &Object::clip_transform),
-      field("bound_transform", &Object::bound_transform),
       field("inverse", &Object::inverse),
-      field("hollow", &Object::hollow),
       field("no_shadow", &Object::no_shadow),
       field("no_image", &Object::no_image),
       field("no_reflection", &Object::no_reflection),
       field("no_radiosity", &Object::no_radiosity),
       field("double_illuminate", &Object::double_illuminate),
       field("sturm", &Object::sturm),
+      field("hollow", &Object::hollow),
+      field("uv_mapping", &Object::uv_mapping),
+      field("type", &Object::type, Role::primitive),
+      field("light", &Object::light, Role::id),
+      field("interior", &Object::interior, Role::id),
       field("origin", &Object::origin, Role::place),
-      field("unsupported", &Object::unsupported)};
+      field("args", &Object::args, Role::operands),
+      field("children", &Object::children, Role::id),
+      field("transform", &Object::transform),
+      field("texture", &Object::texture),
+      field("extras", &Object::extras)};
+};
+
+template <>
+struct Fields<Mesh> {
+  static constexpr std::tuple all{field("vertices", &Mesh::vertices),
+                                  field("normals", &Mesh::normals),
+                                  field("uvs", &Mesh::uvs),
+                                  field("faces", &Mesh::faces),
+                                  field("face_normals", &Mesh::face_normals),
+                                  field("face_uvs", &Mesh::face_uvs),
+                                  field("normals_by_vertex", &Mesh::normals_by_vertex),
+                                  field("uvs_by_vertex", &Mesh::uvs_by_vertex),
+                                  field("textures", &Mesh::textures, Role::id),
+                                  field("face_textures", &Mesh::face_textures, Role::id),
+                                  field("inside_vector", &Mesh::inside_vector)};
 };
 
 template <>
@@ -148,6 +172,7 @@ struct Fields<Pigment> {
                                   field("phase", &Pigment::phase),
                                   field("wave", &Pigment::wave),
                                   field("wave_exponent", &Pigment::wave_exponent),
+                                  field("uv_mapping", &Pigment::uv_mapping),
                                   field("origin", &Pigment::origin, Role::place),
                                   field("unsupported", &Pigment::unsupported)};
 };

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "scene/mesh.h"
+#include "base/boxed.h"
 #include "scene/texture.h"
 
 namespace durer::scene {
@@ -26,40 +27,43 @@ enum class NodeKind : std::uint8_t {
   unsupported,  // may be declared, must not be used
 };
 
+/// What few objects have.
+struct ObjectExtras {
+  std::shared_ptr<const Mesh> mesh;  // `mesh`, `mesh2`: instead of `args`
+  TextureUse interior_texture;       // seen when hit from inside; none: same as texture
+  std::vector<ObjectId> clips;       // `clipped_by`: a hit survives if inside all of them
+  std::vector<ObjectId> bounds;      // `bounded_by`
+  /// The clips and bounds above live in this space of their own → surrounding space.
+  SharedTransform clip_transform;
+  SharedTransform bound_transform;
+  std::string unsupported;  // the feature's name, when it cannot be rendered yet
+};
+
 /// One object. Spaces: `transform` maps the node's local space (that of its operands, or of its
 /// children) to the space around it. Texture, clips and bounds carry transforms of their own that
 /// lead to the same surrounding space, because what is attached after a transformation is not
 /// moved by it (objects §6.4).
 struct Object {
   NodeKind kind = NodeKind::primitive;
-  std::uint32_t type = none;       // primitive: index into Registry::primitives
-  std::vector<double> args;        // primitive: operands, laid out by its Params
-  std::shared_ptr<const Mesh> mesh;  // `mesh`, `mesh2`: instead of `args`
-  std::vector<ObjectId> children;  // CSG
-  LightId light = none;
-  SharedTransform transform;
-
-  TextureUse texture;           // .texture == none: inherits (objects §9.3)
-  TextureUse interior_texture;  // seen when hit from inside; none: same as texture
-  InteriorId interior = none;
-  std::vector<ObjectId> clips;   // `clipped_by`: a hit survives if inside all of them
-  std::vector<ObjectId> bounds;  // `bounded_by`
-  /// The clips and bounds above live in this space of their own → surrounding space.
-  SharedTransform clip_transform;
-  SharedTransform bound_transform;
-
   bool inverse = false;
-  std::optional<bool> hollow;
   bool no_shadow = false;
   bool no_image = false;
   bool no_reflection = false;
   bool no_radiosity = false;
   bool double_illuminate = false;
   bool sturm = false;
+  std::optional<bool> hollow;
   /// Textures are looked up at (u, v, 0) and stay where they are when the object is moved.
   bool uv_mapping = false;
+  std::uint32_t type = none;  // primitive: index into Registry::primitives
+  LightId light = none;
+  InteriorId interior = none;
   OriginId origin = 0;
-  std::string unsupported;  // the feature's name, when it cannot be rendered yet
+  std::vector<double> args;        // primitive: operands, laid out by its Params
+  std::vector<ObjectId> children;  // CSG
+  SharedTransform transform;
+  TextureUse texture;  // .texture == none: inherits (objects §9.3)
+  Boxed<ObjectExtras> extras;
 };
 
 }  // namespace durer::scene

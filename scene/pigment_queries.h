@@ -3,7 +3,7 @@
 #pragma once
 
 #include "functions/tape.h"
-#include "scene/texture.h"
+#include "scene/scene.h"
 
 namespace durer::scene {
 
@@ -12,10 +12,13 @@ class PigmentQueries {
   virtual ~PigmentQueries() = default;
 
   /// The value of the pigment's pattern at x, y, z, after its own warps, transforms, frequency,
-  /// phase and wave (builtin-functions §7). `pigment.pattern` is not `none`.
-  [[nodiscard]] virtual functions::External pattern_function(const Pigment& pigment) = 0;
+  /// phase and wave (builtin-functions §7). `pigment.pattern` is not `none`. What the function
+  /// needs it copies: it may outlive both arguments.
+  [[nodiscard]] virtual functions::External pattern_function(const Scene& scene,
+                                                             const Pigment& pigment) = 0;
   /// The pigment's red, green, blue, filter and transmit at x, y, z, in single precision.
-  [[nodiscard]] virtual functions::External pigment_function(const Pigment& pigment) = 0;
+  [[nodiscard]] virtual functions::External pigment_function(const Scene& scene,
+                                                             const Pigment& pigment) = 0;
 };
 
 }  // namespace durer::scene

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/boxed.h"
 #include "base/colour.h"
 #include "base/transform.h"
 #include "scene/origin.h"
@@ -77,8 +78,8 @@ struct Finish {
 };
 
 struct Layer {
-  Pigment pigment;
-  Finish finish;
+  Boxed<Pigment> pigment;
+  Boxed<Finish> finish;
   std::string unsupported;  // e.g. a `normal`
 };
 

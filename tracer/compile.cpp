@@ -12,7 +12,7 @@ namespace {
 // layers, the outermost speaks.
 const scene::Finish* interior_words(const scene::Scene& scene, const Surface& surface) {
   const scene::Texture& texture = scene.textures[surface.texture.texture];
-  return texture.layers.empty() ? nullptr : &texture.layers.back().finish;
+  return texture.layers.empty() ? nullptr : &*texture.layers.back().finish;
 }
 
 bool all_supported(const scene::Scene& scene, const Geometry& geometry, Diagnostics& diagnostics) {

@@ -57,18 +57,18 @@ class Measure {
         b = stored(b.transformed(inner.forward));
         break;
     }
-    if (const auto smaller = cut(b, o.bounds, o.bound_transform.then(around))) b = *smaller;
-    return cut(b, o.clips, o.clip_transform.then(around)).value_or(b);
+    if (const auto smaller = cut(b, o.extras->bounds, o.extras->bound_transform.then(around))) b = *smaller;
+    return cut(b, o.extras->clips, o.extras->clip_transform.then(around)).value_or(b);
   }
 
   std::optional<Bounds3> bounding_box(ObjectId id, const Transform& around) {
     const Object& o = scene_.objects[id];
-    return cut(primitive(o, o.transform.then(around)), o.bounds, o.bound_transform.then(around));
+    return cut(primitive(o, o.transform.then(around)), o.extras->bounds, o.extras->bound_transform.then(around));
   }
 
  private:
   static std::optional<Bounds3> placed(const Object& o, const Transform& to_world) {
-    if (o.mesh != nullptr) return o.mesh->bounds().transformed(to_world.forward);
+    if (o.extras->mesh != nullptr) return o.extras->mesh->bounds().transformed(to_world.forward);
     const PrimitiveType& type = *primitive_types()[o.type];
     TypeStores stores = type.make_stores();
     const auto ref = type.place(stores, o.args, to_world, false);
@@ -113,7 +113,7 @@ class Measure {
 
   Bounds3 half_space_or_box(const Object& child, ObjectId id, bool turned) {
     const bool inverted = turned != child.inverse;
-    if (child.mesh != nullptr) return inverted ? Bounds3::everything() : box(id, {}, turned);
+    if (child.extras->mesh != nullptr) return inverted ? Bounds3::everything() : box(id, {}, turned);
     const PrimitiveType& type = *primitive_types()[child.type];
     TypeStores stores = type.make_stores();
     const auto ref = type.place(stores, child.args, child.transform, inverted);

@@ -103,7 +103,7 @@ class Flattener {
   /// The node made for the object; none if it has fallen apart, or has no geometry.
   std::uint32_t visit(scene::ObjectId id, const Context& around) {
     const Object& object = scene_.objects[id];
-    if (object.kind == NodeKind::unsupported || !object.unsupported.empty()) {
+    if (object.kind == NodeKind::unsupported || !object.extras->unsupported.empty()) {
       report(id, object);
       return none;
     }
@@ -139,13 +139,13 @@ class Flattener {
     };
     own.uv_mapping = around.uv_mapping || object.uv_mapping;
     place(object.texture, own.texture);
-    place(object.interior_texture, own.interior_texture);
+    place(object.extras->interior_texture, own.interior_texture);
     if (object.interior != none || own.interior == none) {
       own.interior = static_cast<std::uint32_t>(flat_.interiors.size());
       flat_.interiors.push_back({object.interior, false});
     }
     flat_.interiors[own.interior].hollow = own.hollow.value_or(false);
-    if (!object.bounds.empty()) add_gate(id, around, own);
+    if (!object.extras->bounds.empty()) add_gate(id, around, own);
     return own;
   }
 
@@ -157,8 +157,8 @@ class Flattener {
       surface.interior_texture = own.interior_texture;
       surface.double_illuminate = own.double_illuminate;
       surface.uv_mapping = own.uv_mapping;
-      if (object.mesh != nullptr && !object.mesh->textures.empty()) {
-        surface.part_textures = &object.mesh->textures;
+      if (object.extras->mesh != nullptr && !object.extras->mesh->textures.empty()) {
+        surface.part_textures = &object.extras->mesh->textures;
         if (!own.uv_mapping) surface.part_transform = own.to_world;
       }
       if (surface.texture.texture == none) surface.texture = {default_texture_, {}};
@@ -185,7 +185,7 @@ class Flattener {
   std::uint32_t add_csg(const Object& object, const Context& own, const Context& around) {
     const Op op = op_of(object.kind, own.inverted);
     Context inner = own;
-    inner.splits = around.splits && op == Op::any && object.clips.empty();
+    inner.splits = around.splits && op == Op::any && object.extras->clips.empty();
     inner.flags_count = own.flags_count && op != Op::all;
     FlatNode node{op, none, {}};
     for (std::size_t i = 0; i < object.children.size(); ++i) {
@@ -204,11 +204,11 @@ class Flattener {
   /// Clipping keeps what lies inside all clips, and makes no caps: the clips take part as an
   /// intersection whose surfaces are never seen.
   std::uint32_t clip(const Object& object, const Context& around, std::uint32_t body) {
-    if (object.clips.empty()) return body;
+    if (object.extras->clips.empty()) return body;
     FlatNode node{Op::all, none, {body}};
-    Context hidden = behind_the_scenes(object.clip_transform, around);
+    Context hidden = behind_the_scenes(object.extras->clip_transform, around);
     hidden.muted = true;
-    for (const scene::ObjectId id : object.clips) {
+    for (const scene::ObjectId id : object.extras->clips) {
       if (const std::uint32_t child = visit(id, hidden); child != none) {
         node.children.push_back(child);
       }
@@ -229,8 +229,8 @@ class Flattener {
       if (!box) return;
       gate.box = *box;
     } else {
-      const Context hidden = behind_the_scenes(object.bound_transform, around);
-      for (const scene::ObjectId bound : object.bounds) {
+      const Context hidden = behind_the_scenes(object.extras->bound_transform, around);
+      for (const scene::ObjectId bound : object.extras->bounds) {
         if (const auto node = visit(bound, hidden); node != none) gate.nodes.push_back(node);
       }
       if (gate.nodes.empty()) return;
@@ -266,7 +266,7 @@ class Flattener {
       if (id == none) return false;
       const auto& layers = scene_.textures[id].layers;
       return std::any_of(layers.begin(), layers.end(),
-                         [](const scene::Layer& l) { return l.pigment.uv_mapping; });
+                         [](const scene::Layer& l) { return l.pigment->uv_mapping; });
     };
     return surface.uv_mapping || by_uv(surface.texture.texture) ||
            by_uv(surface.interior_texture.texture);
@@ -275,7 +275,7 @@ class Flattener {
   void report(scene::ObjectId id, const Object& object) {
     if (!reported_.insert(id).second) return;
     report(object,
-           object.unsupported.empty() ? std::string_view("object") : object.unsupported);
+           object.extras->unsupported.empty() ? std::string_view("object") : object.extras->unsupported);
   }
 
   void report(const Object& object, std::string_view what) {

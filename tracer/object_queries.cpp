@@ -23,12 +23,12 @@ bool any_below(const scene::Scene& scene, ObjectId id, bool cutters, const Found
   const Object& o = scene.objects[id];
   const auto below = [&](ObjectId child) { return any_below(scene, child, cutters, found); };
   return found(o) || std::any_of(o.children.begin(), o.children.end(), below) ||
-         (cutters && (std::any_of(o.clips.begin(), o.clips.end(), below) ||
-                      std::any_of(o.bounds.begin(), o.bounds.end(), below)));
+         (cutters && (std::any_of(o.extras->clips.begin(), o.extras->clips.end(), below) ||
+                      std::any_of(o.extras->bounds.begin(), o.extras->bounds.end(), below)));
 }
 
 bool is_patch(const Object& o) {
-  if (o.mesh != nullptr) return !o.mesh->has_inside();
+  if (o.extras->mesh != nullptr) return !o.extras->mesh->has_inside();
   return o.kind == NodeKind::light ||
          (o.kind == NodeKind::primitive && primitive_types()[o.type]->is_patch);
 }
@@ -62,8 +62,8 @@ class Queries final : public scene::ObjectQueries {
   std::optional<std::string> unsupported(const scene::Scene& scene, ObjectId id) override {
     std::optional<std::string> name;
     any_below(scene, id, true, [&](const Object& o) {
-      if (o.kind != NodeKind::unsupported && o.unsupported.empty()) return false;
-      name = o.unsupported.empty() ? "this object" : o.unsupported;
+      if (o.kind != NodeKind::unsupported && o.extras->unsupported.empty()) return false;
+      name = o.extras->unsupported.empty() ? "this object" : o.extras->unsupported;
       return true;
     });
     return name;

@@ -4,7 +4,7 @@ durer_entries(pattern_sources patterns/patterns.def patterns)
 
 durer_library(tracer
   SOURCES
-    compile.cpp unsupported.cpp
+    compile.cpp pigment_queries.cpp unsupported.cpp
     patterns/patterns.cpp ${pattern_sources}
     shading/finish.cpp shading/interior.cpp shading/pigment.cpp shading/sky.cpp shading/spectrum.cpp
     shading/texture.cpp

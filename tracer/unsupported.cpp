@@ -22,10 +22,10 @@ void UnsupportedReport::check_texture(scene::TextureId id) {
   const scene::Texture& texture = scene_->textures[id];
   report(texture.unsupported, texture.origin);
   for (const scene::Layer& layer : texture.layers) {
-    const scene::OriginId place = layer.pigment.origin != 0 ? layer.pigment.origin : texture.origin;
+    const scene::OriginId place = layer.pigment->origin != 0 ? layer.pigment->origin : texture.origin;
     report(layer.unsupported, place);
-    check_pigment(layer.pigment);
-    check_finish(layer.finish, place);
+    check_pigment(*layer.pigment);
+    check_finish(*layer.finish, place);
   }
 }
 

@@ -22,7 +22,7 @@ BELOW = {
 PUBLIC = {
     "grammar": {"ast.h", "parse.h", "vocabulary.h", "vocabulary.def"},
     "interpreter": {"interpret.h"},
-    "tracer": {"compile.h", "render.h", "object_queries.h"},
+    "tracer": {"compile.h", "render.h", "object_queries.h", "pigment_queries.h"},
     "image": {"image.h"},
     "cli": set(),
 }

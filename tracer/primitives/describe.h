@@ -35,7 +35,7 @@ struct PrimitiveType : scene::TypeInfo {
 inline std::optional<ShapeRef> place_object(const PrimitiveType& type, TypeStores& stores,
                                             const scene::Object& object, const Transform& to_world,
                                             bool inverted) {
-  if (object.mesh != nullptr) return type.place_mesh(stores, object.mesh, to_world, inverted);
+  if (object.extras->mesh != nullptr) return type.place_mesh(stores, object.extras->mesh, to_world, inverted);
   return type.place(stores, object.args, to_world, inverted);
 }
 

@@ -85,6 +85,11 @@ Colour PigmentStore::at(PigmentId id, dvec3 p) const {
   return select(node, value(node, p), p);
 }
 
+double PigmentStore::pattern_value(PigmentId id, dvec3 p) const {
+  const Node& node = nodes_[id];
+  return node.pattern == nullptr ? 0 : value(node, p);
+}
+
 double PigmentStore::value(const Node& node, dvec3 p) const {
   const dvec3 q = clamp_point(node.moved ? node.to_pattern.point(p) : p);
   double v = node.pattern->evaluate(node.state, q);

@@ -23,6 +23,9 @@ class PigmentStore {
   /// The pigment's colour at a world point (textures §3, §11.1).
   [[nodiscard]] Colour at(PigmentId id, dvec3 p) const;
 
+  /// The value that its pattern selects colours with, at a world point; 0 if it has no pattern.
+  [[nodiscard]] double pattern_value(PigmentId id, dvec3 p) const;
+
   /// True if it can never filter or transmit, wherever it is looked at.
   [[nodiscard]] bool opaque(PigmentId id) const;
 

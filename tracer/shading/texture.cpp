@@ -9,7 +9,7 @@ namespace {
 // A texture of plain colours looks the same wherever it is placed.
 bool has_pattern(const scene::Texture& texture) {
   return std::any_of(texture.layers.begin(), texture.layers.end(),
-                     [](const scene::Layer& l) { return l.pigment.pattern != scene::none; });
+                     [](const scene::Layer& l) { return l.pigment->pattern != scene::none; });
 }
 
 }  // namespace
@@ -37,8 +37,8 @@ ProgramId TextureStore::add(const scene::TextureUse& use) {
   program.first_layer = static_cast<std::uint32_t>(layers_.size());
   for (std::size_t i = texture.layers.size(); i-- > 0;) {  // the last written is the outermost
     const scene::Layer& layer = texture.layers[i];
-    const bool by_uv = layer.pigment.uv_mapping;
-    const PigmentId pigment = pigments_.add(layer.pigment, by_uv ? Transform{} : placement);
+    const bool by_uv = layer.pigment->uv_mapping;
+    const PigmentId pigment = pigments_.add(*layer.pigment, by_uv ? Transform{} : placement);
     layers_.push_back({pigment, finish + static_cast<std::uint32_t>(i), by_uv});
     program.uses_uv = program.uses_uv || by_uv;
     program.opaque = program.opaque || pigments_.opaque(pigment);
@@ -55,7 +55,7 @@ std::uint32_t TextureStore::finishes_of(scene::TextureId id) {
     const scene::Settings& settings = scene_->settings;
     for (const scene::Layer& layer : scene_->textures[id].layers) {
       finishes_.push_back(
-          compile_finish(layer.finish, settings.ambient_light, settings.irid_wavelength));
+          compile_finish(*layer.finish, settings.ambient_light, settings.irid_wavelength));
     }
   }
   return known->second;

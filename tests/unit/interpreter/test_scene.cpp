@@ -46,15 +46,15 @@ TEST_CASE("scene: a texture attached later is not moved", "[interpreter][texture
 TEST_CASE("scene: pigments, lists and maps", "[interpreter][textures]") {
   Run r = run("sphere { 0, 1 pigment { checker rgb 1 scale 2 } }");
   REQUIRE(r.scene);
-  CHECK(top_layer(r).pigment.entries.size() == 2);
-  CHECK(top_layer(r).pigment.entries[0].colour.rgb == glm::vec3(1));
-  CHECK(top_layer(r).pigment.entries[1].colour.rgb == glm::vec3(0, 1, 0));
-  CHECK(top_layer(r).pigment.frequency == 0);
+  CHECK(top_layer(r).pigment->entries.size() == 2);
+  CHECK(top_layer(r).pigment->entries[0].colour.rgb == glm::vec3(1));
+  CHECK(top_layer(r).pigment->entries[1].colour.rgb == glm::vec3(0, 1, 0));
+  CHECK(top_layer(r).pigment->frequency == 0);
   r =
       run("sphere { 0, 1 pigment { gradient y color_map { [0, .5 color rgb 0 color rgb 1] [.5 rgb "
           "x filter .2] } frequency 2 sine_wave } }");
   REQUIRE(r.scene);
-  const auto& p = top_layer(r).pigment;
+  const auto& p = *top_layer(r).pigment;
   REQUIRE(p.entries.size() == 3);
   CHECK(p.entries[2].colour.filter == 0.2F);
   CHECK(p.frequency == 2);
@@ -67,7 +67,7 @@ TEST_CASE("scene: finishes", "[interpreter][textures]") {
       run("#declare F = finish { phong .5 }\nsphere { 0, 1 finish { F diffuse .7, .2 reflection { "
           ".1, .9 fresnel } metallic } }");
   REQUIRE(r.scene);
-  const auto& f = top_layer(r).finish;
+  const auto& f = *top_layer(r).finish;
   CHECK(f.phong == 0.5F);
   CHECK(f.diffuse == 0.7F);
   CHECK(f.diffuse_back == 0.2F);
@@ -82,9 +82,9 @@ TEST_CASE("scene: #default acts from there on", "[interpreter][textures]") {
       run("#default { finish { ambient 1 } pigment { rgb x } }\nsphere { 0, 1 }\nsphere { 0, 1 "
           "finish { phong 1 } }");
   REQUIRE(r.scene);
-  CHECK(r.scene->textures[r.scene->roots[0].default_texture].layers[0].finish.ambient.x == 1);
-  CHECK(top_layer(r, 1).finish.ambient.x == 1);
-  CHECK(top_layer(r, 1).pigment.colour.rgb == glm::vec3(1, 0, 0));
+  CHECK(r.scene->textures[r.scene->roots[0].default_texture].layers[0].finish->ambient.x == 1);
+  CHECK(top_layer(r, 1).finish->ambient.x == 1);
+  CHECK(top_layer(r, 1).pigment->colour.rgb == glm::vec3(1, 0, 0));
 }
 
 TEST_CASE("scene: lights and their transforms", "[interpreter][lights]") {
@@ -119,7 +119,7 @@ TEST_CASE("scene: what is not supported fails only when it is used", "[interpret
   CHECK(declared.scene);
   const Run used = run("sphere { 0, 1 pigment { bozo turbulence 1 } }");
   REQUIRE(used.scene);  // the tracer reports it, with its origin
-  CHECK(top_layer(used).pigment.unsupported == "`bozo`");
+  CHECK(top_layer(used).pigment->unsupported == "`bozo`");
   CHECK(error_of("fog { distance 1 rgb 1 }").substr(0, 5) == "D0220");
 }
 

@@ -71,8 +71,8 @@ TEST_CASE("splicing: macros of modifiers and of map entries", "[interpreter][spl
       "sphere { 0, 1 Move() pigment { gradient x color_map { Entry(0) Entry(.5) Entry(1) } } }");
   REQUIRE(r.scene);
   const auto& texture = r.scene->textures[root(r).texture.texture];
-  CHECK(texture.layers.back().pigment.entries.size() == 3);
-  CHECK(texture.layers.back().pigment.entries[1].key == 0.5F);
+  CHECK(texture.layers.back().pigment->entries.size() == 3);
+  CHECK(texture.layers.back().pigment->entries[1].key == 0.5F);
 }
 
 TEST_CASE("splicing: loops that fill a block", "[interpreter][splicing]") {

@@ -62,8 +62,8 @@ class Definition {
         node->children.push_back(make(o.children[i], inner, inverted != subtracted, counts));
       }
     }
-    for (const ObjectId clip : o.clips) {
-      node->clips.push_back(make(clip, o.clip_transform.then(outer), false, false));
+    for (const ObjectId clip : o.extras->clips) {
+      node->clips.push_back(make(clip, o.extras->clip_transform.then(outer), false, false));
     }
     return node;
   }
@@ -117,7 +117,7 @@ class Definition {
 };
 
 Object random_primitive(Random& random) {
-  const auto types = primitive_types();
+  const auto types = types_with_samples();
   const auto& type = *types[random() % types.size()];
   const auto samples = type.samples();
   Object o = primitive(type.name, samples[random() % samples.size()]);
@@ -144,8 +144,8 @@ ObjectId random_tree(SceneBuilder& b, Random& random, int depth) {
   }
   o.inverse = random() % 6 == 0;
   if (random() % 6 == 0) {
-    o.clips.push_back(random_tree(b, random, std::min(depth, 1)));
-    o.clip_transform = Transform::translate(point_in_cube(random, 1));
+    o.extras.edit().clips.push_back(random_tree(b, random, std::min(depth, 1)));
+    o.extras.edit().clip_transform = Transform::translate(point_in_cube(random, 1));
   }
   return b.add(std::move(o));
 }
@@ -277,7 +277,7 @@ TEST_CASE("csg: a wrong bound cuts a union, a right one does not", "[tracer][csg
   const auto right = b.add(primitive("sphere", {2, 0, 0, 1}));
   const auto both = b.csg(NodeKind::union_, {left, right});
   const auto bound = b.add(primitive("box", {-4, -2, -2, 2, 2, 2}));
-  b.scene.objects[both].bounds = {bound};
+  b.scene.objects[both].extras.edit().bounds = {bound};
   b.show(both);
   const Geometry geometry = b.build();
   CHECK(depths(geometry, -2, 0) == std::vector<double>{9, 11});

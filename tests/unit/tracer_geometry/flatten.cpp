@@ -61,7 +61,7 @@ TEST_CASE("flatten: interior textures are inherited on their own", "[tracer][fla
   scene::Object parent;
   parent.kind = NodeKind::union_;
   parent.children = {b.add(child)};
-  parent.interior_texture.texture = 2;
+  parent.extras.edit().interior_texture.texture = 2;
   b.show(parent);
   const Flat f = flat(b);
   CHECK(f.surfaces[f.leaves[0].surface].texture.texture == 1);
@@ -209,7 +209,7 @@ TEST_CASE("geometry: a plain union counts as its children, other solids as one b
   b.scene.objects[all].kind = NodeKind::merge;
   CHECK(bodies_at(b.build(), {0.2, 0, 0}) == 1);
   b.scene.objects[all].kind = NodeKind::union_;
-  b.scene.objects[all].clips = {b.add(primitive("plane", {0, 1, 0, 0.5}))};
+  b.scene.objects[all].extras.edit().clips = {b.add(primitive("plane", {0, 1, 0, 0.5}))};
   CHECK(bodies_at(b.build(), {0.2, 0, 0}) == 1);
   CHECK(bodies_at(b.build(), {0.2, 0.7, 0}) == 0);
   CHECK(bodies_at(b.build(), {3, 0, 0}) == 0);
@@ -238,7 +238,7 @@ TEST_CASE("geometry: an object that cannot be rendered is an error with its name
   b.scene.origins.push_back({{1, 10}, 0});
   scene::Object o;
   o.kind = NodeKind::unsupported;
-  o.unsupported = "isosurface";
+  o.extras.edit().unsupported = "isosurface";
   o.origin = 1;
   const auto id = b.add(o);
   b.show(id);

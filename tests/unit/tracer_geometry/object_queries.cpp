@@ -92,12 +92,12 @@ TEST_CASE("extent: solids", "[tracer][extent]") {
 TEST_CASE("extent: clips and bounds replace larger boxes", "[tracer][extent]") {
   SceneBuilder b;
   scene::Object clipped = primitive("sphere", {0, 0, 0, 1});
-  clipped.clips = {b.add(primitive("box", {0, 0, 0, 1, 1, 1}))};
+  clipped.extras.edit().clips = {b.add(primitive("box", {0, 0, 0, 1, 1, 1}))};
   check_extent(b, b.add(clipped), dvec3(0), dvec3(1));
   scene::Object ground = primitive("plane", {0, 1, 0, 0});
-  ground.clips = {b.add(primitive("sphere", {0, 0, 0, 1}))};
+  ground.extras.edit().clips = {b.add(primitive("sphere", {0, 0, 0, 1}))};
   check_extent(b, b.add(ground), dvec3(-1), dvec3(1));
-  clipped.clips = {b.add(primitive("plane", {0, 1, 0, 0}))};
+  clipped.extras.edit().clips = {b.add(primitive("plane", {0, 1, 0, 0}))};
   check_extent(b, b.add(clipped), dvec3(-1), dvec3(1));
 }
 
@@ -130,9 +130,9 @@ TEST_CASE("queries: trace, inside and what cannot be asked", "[tracer][queries]"
 
   scene::Object text;
   text.kind = NodeKind::unsupported;
-  text.unsupported = "text";
+  text.extras.edit().unsupported = "text";
   scene::Object clipped = ball;
-  clipped.clips = {b.add(text)};
+  clipped.extras.edit().clips = {b.add(text)};
   const auto strange = b.csg(NodeKind::union_, {b.add(clipped)});
   CHECK(queries->unsupported(b.scene, strange) == "text");
   CHECK_FALSE(queries->trace(b.scene, strange, {0, 0, -5}, {0, 0, 1}).has_value());

@@ -88,7 +88,7 @@ TEST_CASE("finish: a lamp behind lights the back only where asked to", "[tracer]
       s.add("disc", {0, 0, 0, 0, 0, -1, 5, 0}, s.texture(plain(rgbft(1, 1, 1)), f));
   SECTION("plain") { check_pixel(s.scene, vec3(0.0F)); }
   SECTION("diffuse back") {
-    s.scene.textures[0].layers[0].finish.diffuse_back = 0.3F;
+    s.scene.textures[0].layers[0].finish.edit().diffuse_back = 0.3F;
     check_pixel(s.scene, vec3(0.212131F));
   }
   SECTION("double_illuminate") {
