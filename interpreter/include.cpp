@@ -56,6 +56,7 @@ void Interpreter::include(const std::string& name, Span span) {
   Frame f;
   f.kind = Frame::Kind::file;
   f.tree = &tree;
+  f.first = tree.top.first;
   f.pos = tree.top.first;
   f.end = tree.top.first + tree.top.count;
   f.call = span;

@@ -306,13 +306,14 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   static void append_number(double value, int width, int decimals, Text& out);
 
   // ---- read.cpp: expressions and values from the stream
+  ast::ExprId take_plain(const ast::Tree*& tree, bool full);
   Num read_num(int length);   // additive level
   Num read_full(int length);  // relations, logic, ?:
   Num read_full_in_place(int length);
   double read_float();
   double read_scalar(std::string_view what);
   dvec3 read_vector();
-  Num fit(const Num& n, int length);
+  const Num& fit(const Num& n, int length);
   Num read_product(int length);
   Num read_factor(int length);
   bool at_operator();

@@ -161,6 +161,7 @@ bool Interpreter::step_item(Token& token) {
       inner.kind = Frame::Kind::group;
       inner.brackets = item.kind == ast::ItemKind::brackets;
       inner.tree = &tree;
+      inner.first = g.items.first;
       inner.pos = g.items.first;
       inner.end = g.items.first + g.items.count;
       inner.node = item.ref;
@@ -218,6 +219,7 @@ bool Interpreter::step_end(Token& token) {
         return false;
       }
       const ast::Case& c = f.tree->cases[node.cases.first + f.next_case++];
+      f.first = c.items.first;
       f.pos = c.items.first;
       f.end = c.items.first + c.items.count;
       return false;
@@ -410,6 +412,7 @@ void Interpreter::Nested::open(const ast::Tree& tree) {
 
 Interpreter::Nested::Nested(Interpreter& in, const ast::Tree& tree, ast::Range items) : in_(in) {
   open(tree);
+  in_.frames_.back().first = items.first;
   in_.frames_.back().pos = items.first;
   in_.frames_.back().end = items.first + items.count;
   if (items.count > 0) {

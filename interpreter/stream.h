@@ -23,12 +23,12 @@ struct Token {
     bracket_close,  // ]
     punct,          // anything else: `,` `;` operators; `<=` is 'l', `>=` 'g', `!=` 'n'
   };
+  const ast::Tree* tree = nullptr;
+  Span span;
+  SymbolId word = 0;
+  ast::ExprId expr = ast::none;
   Kind kind = Kind::end;
   char punct = 0;
-  SymbolId word = 0;
-  const ast::Tree* tree = nullptr;
-  ast::ExprId expr = ast::none;
-  Span span;
 
   [[nodiscard]] bool is(SymbolId w) const { return kind == Kind::word && word == w; }
   [[nodiscard]] bool is_punct(char c) const { return kind == Kind::punct && punct == c; }

@@ -13,8 +13,8 @@ const scene::Object& object(const Run& r, std::size_t i = 0) {
 }
 const scene::Mesh& mesh_of(const Run& r, std::size_t i = 0) {
   REQUIRE(r.scene);
-  REQUIRE(object(r, i).mesh != nullptr);
-  return *object(r, i).mesh;
+  REQUIRE(object(r, i).extras->mesh != nullptr);
+  return *object(r, i).extras->mesh;
 }
 
 const std::string corners = "vertex_vectors { 4, <0,0,0>, <1,0,0>, <1,1,0>, <0,1,0> } ";

@@ -54,7 +54,7 @@ Corners corners_of(const scene::Mesh& mesh, std::size_t face) {
 
 scene::Object object_of(const MeshPtr& mesh, const Transform& transform = {}) {
   scene::Object o = primitive("mesh", {}, transform);
-  o.mesh = mesh;
+  o.extras.edit().mesh = mesh;
   return o;
 }
 
