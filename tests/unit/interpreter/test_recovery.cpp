@@ -29,7 +29,7 @@ TEST_CASE("recovery: every broken statement is told", "[interpreter][recovery]")
                   "sphere { 0, 1 }\n"
                   "#declare A = sin(\"x\");\n"
                   "sphere { <1,2,3>, \"s\" }\n") ==
-        Errors{"1 `Radius` is not declared", "2 `box` has no setting `open`",
+        Errors{"1 `Radius` is not declared", "2 `box` takes no `open` here",
                "4 expected a number or vector, found a string",
                "5 expected a number or vector, found a string"});
 }
