@@ -4,6 +4,17 @@
 
 namespace durer::cli::apply {
 
+Problem return_action(ShellHook& hook, std::string_view value) {
+  const bool reversed = value.starts_with('-') || value.starts_with('!');
+  static constexpr std::string_view letters = "isaquf";  // in the order of Action
+  const std::string letter = lower(value.substr(reversed ? 1 : 0, 1));
+  const std::size_t index = letter.empty() ? std::string::npos : letters.find(letter);
+  if (index == std::string::npos) return expected("one of I S A Q U F, or with `-` before", value);
+  hook.action = static_cast<Action>(index);
+  hook.on_success = reversed;
+  return {};
+}
+
 Problem ignored_boolean(Settings& /*s*/, std::string_view value) {
   return parse_bool(value) ? Problem() : expected("on or off", value);
 }
@@ -22,6 +33,12 @@ Problem only_off(Settings& /*s*/, std::string_view value) {
 
 Problem only_empty(Settings& /*s*/, std::string_view value) {
   return value.empty() ? Problem() : Problem("this is not supported yet");
+}
+
+Problem input(Settings& s, std::string_view value) {
+  s.input = value;
+  s.inputs.emplace_back(value);
+  return {};
 }
 
 Problem output_type(Settings& s, std::string_view value) {
@@ -104,6 +121,29 @@ Problem all_console(Settings& s, std::string_view value) {
   const auto b = parse_bool(value);
   if (!b) return expected("on or off", value);
   for (StreamSettings& stream : s.streams) stream.console = *b;
+  return {};
+}
+
+Problem diagnostics_format(Settings& s, std::string_view value) {
+  s.json = same_word(value, "json");
+  return s.json || same_word(value, "text") ? Problem() : expected("text or json", value);
+}
+
+Problem dump_scene(Settings& s, std::string_view value) {
+  const auto b = parse_bool(value);
+  s.dump_scene = b && !*b                    ? DumpFormat::none
+                 : same_word(value, "json")  ? DumpFormat::json
+                                             : DumpFormat::text;
+  const bool known = b || same_word(value, "json") || same_word(value, "text");
+  return known ? Problem() : expected("text or json", value);
+}
+
+/// Nothing that comes later may take it back: an INI file could.
+Problem untrusted(Settings& s, std::string_view value) {
+  const auto b = parse_bool(value);
+  if (!b) return expected("on or off", value);
+  if (s.untrusted && !*b) return "an untrusted run cannot become a trusted one";
+  s.untrusted = *b;
   return {};
 }
 

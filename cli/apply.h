@@ -14,6 +14,9 @@ inline Problem expected(std::string_view what, std::string_view value) {
   return fmt::format("expected {}, found `{}`", what, value);
 }
 
+/// A letter of I S A Q U F, perhaps behind `-` or `!`.
+Problem return_action(ShellHook& hook, std::string_view value);
+
 template <auto Member>
 Problem boolean(Settings& s, std::string_view value) {
   const auto b = parse_bool(value);
@@ -42,6 +45,15 @@ Problem clamped_whole(Settings& s, std::string_view value) {
   return {};
 }
 
+/// A number greater than 0.
+template <auto Member>
+Problem positive(Settings& s, std::string_view value) {
+  const auto x = parse_number(value);
+  if (!x || *x <= 0) return expected("a number greater than 0", value);
+  s.*Member = *x;
+  return {};
+}
+
 template <auto Member>
 Problem number(Settings& s, std::string_view value) {
   const auto x = parse_number(value);
@@ -65,12 +77,24 @@ Problem text(Settings& s, std::string_view value) {
   return {};
 }
 
+/// A pixel or frame number, or a fraction.
 template <auto Member>
 Problem place(Settings& s, std::string_view value) {
   const auto x = parse_number(value);
-  if (!x || *x < 0) return expected("a pixel number or a fraction from 0 to 1", value);
+  if (!x || *x < 0) return expected("a number from 1 or a fraction from 0 to 1", value);
   s.*Member = *x;
   return {};
+}
+
+template <Moment M>
+Problem shell_command(Settings& s, std::string_view value) {
+  s.hooks[static_cast<std::size_t>(M)].command = value;
+  return {};
+}
+
+template <Moment M>
+Problem shell_return(Settings& s, std::string_view value) {
+  return return_action(s.hooks[static_cast<std::size_t>(M)], value);
 }
 
 template <Stream S>
@@ -95,6 +119,7 @@ Problem ignored_text(Settings& s, std::string_view value);
 Problem only_off(Settings& s, std::string_view value);
 Problem only_empty(Settings& s, std::string_view value);
 
+Problem input(Settings& s, std::string_view value);
 Problem output_type(Settings& s, std::string_view value);
 Problem file_gamma(Settings& s, std::string_view value);
 Problem size(Settings& s, std::string_view value);
@@ -104,5 +129,8 @@ Problem clock(Settings& s, std::string_view value);
 Problem version(Settings& s, std::string_view value);
 Problem aa_gamma(Settings& s, std::string_view value);
 Problem all_console(Settings& s, std::string_view value);
+Problem diagnostics_format(Settings& s, std::string_view value);
+Problem dump_scene(Settings& s, std::string_view value);
+Problem untrusted(Settings& s, std::string_view value);
 
 }  // namespace durer::cli::apply

@@ -16,8 +16,7 @@ inline constexpr int interrupted = 2;
 [[nodiscard]] int render_command(const std::vector<std::string>& words);
 /// `durer parse FILE…`: says nothing and returns 0 if all files follow the grammar.
 [[nodiscard]] int parse_command(const std::vector<std::string>& words);
-
-/// True if messages on standard error may be coloured (a terminal, and NO_COLOR is not set).
-[[nodiscard]] bool colour_wanted();
+/// `durer check [options] FILE…`: reads scenes without rendering them; returns 0 if all are good.
+[[nodiscard]] int check_command(const std::vector<std::string>& words);
 
 }  // namespace durer::cli

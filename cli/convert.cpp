@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/limits.h"
+
 namespace durer::cli {
 namespace {
 
@@ -35,15 +37,19 @@ std::string gamma_assumption(const Settings& s, const scene::Settings& scene) {
 
 }  // namespace
 
-interpreter::Options interpreter_options(const Settings& s) {
+interpreter::Options interpreter_options(const Settings& s, const FrameTask& task) {
   interpreter::Options o;
   o.include_paths = s.library_paths;
   o.declares = s.declares;
   o.width = s.width;
   o.height = s.height;
-  o.clock = static_cast<double>(static_cast<float>(s.clock));  // single precision (language §9.6)
-  o.clock_on = s.clock_given;
+  o.clock = task.clock;
+  o.clock_on = task.clock_on;
+  if (task.animation) o.frame = task.animation->values(task.number);
   o.version = s.version;
+  o.header_file = s.header_file;
+  o.limits = limits_of(s).reading;
+  o.confined = s.untrusted;  // and `writable` stays empty: scenes of strangers write nothing
   o.output_alpha = s.alpha;
   return o;
 }

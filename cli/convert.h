@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "cli/sequence.h"
 #include "cli/settings.h"
 #include "cli/window.h"
 #include "interpreter/interpret.h"
@@ -10,7 +11,8 @@
 
 namespace durer::cli {
 
-[[nodiscard]] interpreter::Options interpreter_options(const Settings& settings);
+[[nodiscard]] interpreter::Options interpreter_options(const Settings& settings,
+                                                       const FrameTask& task);
 [[nodiscard]] tracer::RenderOptions render_options(const Settings& settings, const Window& window);
 /// How the picture of a scene with these settings is stored (shading §1.2, §1.5).
 [[nodiscard]] image::Encoding encoding_of(const Settings& settings, const scene::Settings& scene);

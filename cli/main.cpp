@@ -9,9 +9,12 @@
 int main(int argc, char** argv) try {
   using namespace durer::cli;
   const std::vector<std::string> words(argv + 1, argv + argc);
-  handle_interrupts();
+  interrupts_end_program();
   if (!words.empty() && words.front() == "parse") {
     return parse_command({words.begin() + 1, words.end()});
+  }
+  if (!words.empty() && words.front() == "check") {
+    return check_command({words.begin() + 1, words.end()});
   }
   return render_command(words);
 } catch (const std::exception& e) {  // no memory, most likely

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "cli/apply.h"
+#include "cli/limits.h"
 
 namespace durer::cli {
 namespace {
@@ -13,7 +14,7 @@ using S = Settings;
 // clang-format off
 constexpr std::array table = {
 // Files
-Option{"Input_File_Name",    "I",  Form::value, "", "input", "file", "the scene; `.pov` and `.scene` are tried; `-`: standard input", Group::files, apply::text<&S::input>},
+Option{"Input_File_Name",    "I",  Form::value, "", "input", "file", "the scene; `.pov` and `.scene` are tried; `-`: standard input", Group::files, apply::input},
 Option{"Output_File_Name",   "O",  Form::value, "", "output", "file", "the picture; the extension chooses the type unless one is given; a folder ends in `/`; `-`: standard output", Group::files, apply::text<&S::output>},
 Option{"Output_To_File",     "F",  Form::type,  "Output_File_Type", "", "[t][n][g]", "write a file: type letter, bits per channel, `g` for greyscale; `-F`: write nothing", Group::files, apply::boolean<&S::write_output>},
 Option{"Output_File_Type",   "",   Form::value, "", "format", "type", "N png, T tga, C compressed tga, J jpeg, P ppm, B bmp, E exr, H hdr, S png; or a name, tiff too", Group::files, apply::output_type},
@@ -49,18 +50,50 @@ Option{"Work_Threads",       "WT", Form::value, "", "threads", "n", "threads; de
 
 // What the scene sees
 Option{"Declare",            "",   Form::pair,  "", "declare", "name=value", "declare a number or a \"string\" before the scene is read; the first of a name wins", Group::world, apply::declare},
+Option{"Include_Header",     "HI", Form::value, "", "", "file", "read this file before the scene", Group::world, apply::text<&S::header_file>},
 Option{"Clock",              "K",  Form::value, "", "clock", "x", "value of `clock`", Group::world, apply::clock},
 Option{"Version",            "MV", Form::value, "", "", "x", "language version in force at the start", Group::world, apply::version},
 
 // Animation
-Option{"Initial_Frame",      "KFI",Form::value, "", "", "n", "first frame; still pictures only yet: 0 or 1", Group::animation, apply::whole<&S::initial_frame, 0, 2147483647>},
-Option{"Final_Frame",        "KFF",Form::value, "", "", "n", "last frame; still pictures only yet: 0 or 1", Group::animation, apply::whole<&S::final_frame, 0, 2147483647>},
-Option{"Initial_Clock",      "KI", Form::value, "", "", "x", "clock of the first frame; no effect on a still picture", Group::animation, apply::ignored_number},
-Option{"Final_Clock",        "KF", Form::value, "", "", "x", "clock of the last frame; likewise", Group::animation, apply::ignored_number},
-Option{"Subset_Start_Frame", "SF", Form::value, "", "", "n", "first frame to render; likewise", Group::animation, apply::ignored_number},
-Option{"Subset_End_Frame",   "EF", Form::value, "", "", "n", "last frame to render; likewise", Group::animation, apply::ignored_number},
-Option{"Frame_Step",         "STP",Form::value, "", "", "n", "every n-th frame; likewise", Group::animation, apply::ignored_number},
-Option{"Cyclic_Animation",   "KC", Form::flag,  "", "", "", "leave room for the first frame after the last; likewise", Group::animation, apply::ignored_boolean},
+Option{"Initial_Frame",      "KFI",Form::value, "", "", "n", "first frame; 0 and 0, or 1 and 1, mean a still picture", Group::animation, apply::whole<&S::initial_frame, -2147483647, 2147483646>},
+Option{"Final_Frame",        "KFF",Form::value, "", "", "n", "last frame; all are rendered by one process", Group::animation, apply::whole<&S::final_frame, -2147483647, 2147483646>},
+Option{"Initial_Clock",      "KI", Form::value, "", "", "x", "clock of the first frame; default 0", Group::animation, apply::number<&S::initial_clock>},
+Option{"Final_Clock",        "KF", Form::value, "", "", "x", "clock of the last frame; default 1", Group::animation, apply::number<&S::final_clock>},
+Option{"Subset_Start_Frame", "SF", Form::value, "", "", "n", "first frame to render, or a fraction of them all", Group::animation, apply::place<&S::subset_start>},
+Option{"Subset_End_Frame",   "EF", Form::value, "", "", "n", "last frame to render, or a fraction of them all", Group::animation, apply::place<&S::subset_end>},
+Option{"Frame_Step",         "STP",Form::value, "", "", "n", "render every n-th frame", Group::animation, apply::clamped_whole<&S::frame_step, 1, 2147483646>},
+Option{"Cyclic_Animation",   "KC", Form::flag,  "", "", "", "the clock would reach its end one frame after the last", Group::animation, apply::boolean<&S::cyclic>},
+Option{"Continue_Trace",     "C",  Form::flag,  "", "continue", "", "skip frames whose picture is there; take an interrupted picture up again", Group::animation, apply::boolean<&S::continue_trace>},
+
+// Shell commands
+Option{"Pre_Scene_Command",  "",   Form::value, "", "", "cmd", "run this before everything; %o output, %s scene, %n frame, %k clock, %w %h size, %% a %", Group::shell, apply::shell_command<Moment::pre_scene>},
+Option{"Pre_Frame_Command",  "",   Form::value, "", "", "cmd", "run this before each frame", Group::shell, apply::shell_command<Moment::pre_frame>},
+Option{"Post_Frame_Command", "",   Form::value, "", "", "cmd", "run this after each frame", Group::shell, apply::shell_command<Moment::post_frame>},
+Option{"Post_Scene_Command", "",   Form::value, "", "", "cmd", "run this after everything", Group::shell, apply::shell_command<Moment::post_scene>},
+Option{"User_Abort_Command", "",   Form::value, "", "", "cmd", "run this after an interruption", Group::shell, apply::shell_command<Moment::user_abort>},
+Option{"Fatal_Error_Command","",   Form::value, "", "", "cmd", "run this after an error", Group::shell, apply::shell_command<Moment::fatal_error>},
+Option{"Pre_Scene_Return",   "",   Form::value, "", "", "r", "if the command fails (after a `-`: succeeds): I go on, S skip the frames, A skip everything, Q quit, U interrupt, F fail", Group::shell, apply::shell_return<Moment::pre_scene>},
+Option{"Pre_Frame_Return",   "",   Form::value, "", "", "r", "likewise; S skips this frame, A this and all that follow", Group::shell, apply::shell_return<Moment::pre_frame>},
+Option{"Post_Frame_Return",  "",   Form::value, "", "", "r", "likewise; A skips all frames that follow", Group::shell, apply::shell_return<Moment::post_frame>},
+Option{"Post_Scene_Return",  "",   Form::value, "", "", "r", "likewise; S and A have nothing left to skip", Group::shell, apply::shell_return<Moment::post_scene>},
+Option{"User_Abort_Return",  "",   Form::value, "", "", "r", "likewise; Q, U and F choose the exit code 0, 2 or 1", Group::shell, apply::shell_return<Moment::user_abort>},
+Option{"Fatal_Error_Return", "",   Form::value, "", "", "r", "likewise", Group::shell, apply::shell_return<Moment::fatal_error>},
+
+// Limits
+Option{"Untrusted",          "",   Form::flag,  "", "untrusted", "", "for scenes of strangers: all limits below, files only where they belong, no shell commands", Group::limits, apply::untrusted},
+Option{"Max_Macro_Depth",    "",   Form::value, "", "max-macro-depth", "n", "macro calls inside one another; default 1000, untrusted 200", Group::limits, apply::whole<&S::max_macro_depth, 1, 1000000>},
+Option{"Max_Include_Depth",  "",   Form::value, "", "max-include-depth", "n", "files inside one another; default 100, untrusted 20", Group::limits, apply::whole<&S::max_include_depth, 1, 1000000>},
+Option{"Max_Loop_Turns",     "",   Form::value, "", "max-loop-turns", "n", "turns of all loops and macro calls together; untrusted 10 million", Group::limits, apply::positive<&S::max_loop_turns>},
+Option{"Max_Seconds",        "",   Form::value, "", "max-seconds", "x", "time to read the scene, for each frame; untrusted 30", Group::limits, apply::positive<&S::max_seconds>},
+Option{"Max_Render_Seconds", "",   Form::value, "", "max-render-seconds", "x", "time to render each frame; untrusted 600", Group::limits, apply::positive<&S::max_render_seconds>},
+Option{"Max_Memory",         "",   Form::value, "", "max-memory", "n", "megabytes that the program may hold; untrusted 4096", Group::limits, apply::positive<&S::max_memory>},
+Option{"Max_Pixels",         "",   Form::value, "", "max-pixels", "n", "width times height; untrusted 40 million", Group::limits, apply::positive<&S::max_pixels>},
+Option{"Max_Frames",         "",   Form::value, "", "max-frames", "n", "frames of an animation; untrusted 10000", Group::limits, apply::whole<&S::max_frames, 1, 2147483647>},
+
+// Looking into scenes
+Option{"Dump_Scene",         "",   Form::flag,  "", "dump-scene", "[=text|json]", "print the scene as data and stop", Group::debugging, apply::dump_scene},
+Option{"Trace_Macros",       "",   Form::flag,  "", "trace-macros", "", "print every macro call and return", Group::debugging, apply::boolean<&S::trace_macros>},
+Option{"Diagnostics",        "",   Form::value, "", "diagnostics", "text|json", "how messages look: for people, or one JSON object a line for programs", Group::debugging, apply::diagnostics_format},
 
 // Messages
 Option{"Quiet",              "",   Form::flag,  "", "quiet", "", "print errors only", Group::messages, apply::boolean<&S::quiet>},
@@ -122,24 +155,10 @@ Option{"Histogram_Type",     "",   Form::value, "", "", "t", "obsolete", Group::
 Option{"Histogram_Grid_Size","",   Form::value, "", "", "x", "obsolete", Group::no_effect, apply::ignored_text},
 
 // Known, and an error when switched on
-Option{"Include_Header",     "HI", Form::value, "", "", "file", "read a file before the scene", Group::not_yet, apply::only_empty},
-Option{"Continue_Trace",     "C",  Form::flag,  "", "", "", "resume an interrupted render", Group::not_yet, apply::only_off},
 Option{"Dither",             "TH", Form::flag,  "Dither_Method", "", "[m]", "dithering", Group::not_yet, apply::only_off},
 Option{"Clockless_Animation","KLA",Form::flag,  "", "", "", "several cameras as frames", Group::not_yet, apply::only_off},
 Option{"Radiosity_From_File","RFI",Form::flag,  "", "", "", "read radiosity samples", Group::not_yet, apply::only_off},
 Option{"Radiosity_To_File",  "RFO",Form::flag,  "", "", "", "write radiosity samples", Group::not_yet, apply::only_off},
-Option{"Pre_Scene_Command",  "",   Form::value, "", "", "cmd", "shell command", Group::not_yet, apply::only_empty},
-Option{"Pre_Frame_Command",  "",   Form::value, "", "", "cmd", "shell command", Group::not_yet, apply::only_empty},
-Option{"Post_Scene_Command", "",   Form::value, "", "", "cmd", "shell command", Group::not_yet, apply::only_empty},
-Option{"Post_Frame_Command", "",   Form::value, "", "", "cmd", "shell command", Group::not_yet, apply::only_empty},
-Option{"User_Abort_Command", "",   Form::value, "", "", "cmd", "shell command", Group::not_yet, apply::only_empty},
-Option{"Fatal_Error_Command","",   Form::value, "", "", "cmd", "shell command", Group::not_yet, apply::only_empty},
-Option{"Pre_Scene_Return",   "",   Form::value, "", "", "r", "what its result means", Group::no_effect, apply::ignored_text},
-Option{"Pre_Frame_Return",   "",   Form::value, "", "", "r", "what its result means", Group::no_effect, apply::ignored_text},
-Option{"Post_Scene_Return",  "",   Form::value, "", "", "r", "what its result means", Group::no_effect, apply::ignored_text},
-Option{"Post_Frame_Return",  "",   Form::value, "", "", "r", "what its result means", Group::no_effect, apply::ignored_text},
-Option{"User_Abort_Return",  "",   Form::value, "", "", "r", "what its result means", Group::no_effect, apply::ignored_text},
-Option{"Fatal_Error_Return", "",   Form::value, "", "", "r", "what its result means", Group::no_effect, apply::ignored_text},
 };
 // clang-format on
 
@@ -164,11 +183,7 @@ const Option* option_of_switch(std::string_view text) {
 }
 
 Problem check(const Settings& s) {
-  const bool still = s.initial_frame <= 1 && s.final_frame <= 1;
-  if (!still || s.initial_frame != s.final_frame) {
-    // Only (0, 0) and (1, 1) mean a still picture (language §9.6).
-    return "animations (Initial_Frame, Final_Frame) are not supported yet";
-  }
+  if (auto problem = check_untrusted(s)) return problem;
   if (s.quality < 9) return fmt::format("Quality={} is not supported yet, only 9", s.quality);
   if (s.antialias && s.sampling_method == 2) {
     return "anti-aliasing by Sampling_Method=2 is not supported yet, only 1";

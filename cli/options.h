@@ -25,6 +25,9 @@ enum class Group : std::uint8_t {
   sampling,
   world,
   animation,
+  shell,
+  limits,
+  debugging,
   messages,
   no_effect,
   not_yet

@@ -70,6 +70,7 @@ void Reader::keyword(std::string_view name, std::string_view value, const Writte
     return error(fmt::format("`{}`: {}", where.text, *problem), where);
   }
   settings_->history.emplace_back(option->keyword, value);
+  if (where.span.begin != 0) settings_->from_ini.emplace_back(option->keyword);
 }
 
 void Reader::word(std::string_view text, const Written& where) {

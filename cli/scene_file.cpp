@@ -75,7 +75,7 @@ std::optional<std::string> read_file(const std::string& path) {
   return std::string(std::istreambuf_iterator<char>(in), {});
 }
 
-std::optional<FileId> read_scene(Settings& settings, SourceMap& sources, Diagnostics& diagnostics) {
+std::optional<SceneText> read_scene(Settings& settings, Diagnostics& diagnostics) {
   if (settings.input != "-") {
     std::string path = find_exactly(settings);
     if (path.empty()) path = find_tolerantly(settings, diagnostics);
@@ -90,7 +90,7 @@ std::optional<FileId> read_scene(Settings& settings, SourceMap& sources, Diagnos
     report_missing(fmt::format("cannot read `{}`", settings.input), diagnostics);
     return std::nullopt;
   }
-  return sources.add(settings.input, std::move(*text));
+  return SceneText{settings.input, std::move(*text)};
 }
 
 std::string stdlib_folder() {

@@ -10,11 +10,16 @@
 
 namespace durer::cli {
 
-/// Reads the scene into `sources`: the exact name first, then with `.pov` or `.scene` behind it, in
+/// The text of a scene, read once for all frames.
+struct SceneText {
+  std::string path;
+  std::string text;
+};
+
+/// Reads the scene: the exact name first, then with `.pov` or `.scene` behind it, in
 /// the working folder and the library folders; then in other letter cases, with a warning.
 /// "-" is standard input. Sets `settings.input` to the name that was found.
-[[nodiscard]] std::optional<FileId> read_scene(Settings& settings, SourceMap& sources,
-                                               Diagnostics& diagnostics);
+[[nodiscard]] std::optional<SceneText> read_scene(Settings& settings, Diagnostics& diagnostics);
 
 /// All of one file ("-": standard input), or nothing.
 [[nodiscard]] std::optional<std::string> read_file(const std::string& path);

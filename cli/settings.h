@@ -21,10 +21,34 @@ struct StreamSettings {
   std::string file;  // empty: no copy
 };
 
+/// The scene as data, instead of a picture.
+enum class DumpFormat : std::uint8_t { none, text, json };
+
+/// When a shell command may run.
+enum class Moment : std::uint8_t {
+  pre_scene,
+  pre_frame,
+  post_frame,
+  post_scene,
+  user_abort,
+  fatal_error
+};
+inline constexpr std::size_t moment_count = 6;
+
+/// What follows from the exit code of a shell command.
+enum class Action : std::uint8_t { ignore, skip, skip_all, quit, user_abort, fatal };
+
+struct ShellHook {
+  std::string command;  // empty: none
+  Action action = Action::ignore;
+  bool on_success = false;  // the action is taken when the command succeeds, not when it fails
+};
+
 struct Settings {
   // Files
-  std::string input;   // "-": standard input
-  std::string output;  // as given; see output_name.h
+  std::string input;                // "-": standard input
+  std::vector<std::string> inputs;  // all that were named; `check` takes several
+  std::string output;               // as given; see output_name.h
   bool write_output = true;
   const image::Format* format = nullptr;  // null: by the extension of `output`, else PNG
   bool compressed_tga = false;
@@ -57,11 +81,30 @@ struct Settings {
   std::vector<std::pair<std::string, std::variant<double, std::string>>> declares;
   double clock = 0;
   bool clock_given = false;
-  int version = 0;  // hundredths; 0: not given
-  int initial_frame = 0;
-  int final_frame = 0;
+  int version = 0;           // hundredths; 0: not given
+  std::string header_file;  // read before the scene
+
+  // Animation; see animation.h
+  std::optional<int> initial_frame, final_frame;
+  double initial_clock = 0;
+  double final_clock = 1;
+  std::optional<double> subset_start, subset_end;  // frame numbers or fractions
+  int frame_step = 1;
+  bool cyclic = false;
+  bool continue_trace = false;
+  ShellHook hooks[moment_count];
+
+  // Bounds of what a scene may take; not given: see limits.h
+  std::optional<int> max_macro_depth, max_include_depth, max_frames;
+  std::optional<double> max_loop_turns, max_seconds, max_render_seconds, max_memory, max_pixels;
+  bool untrusted = false;
+
+  // For people and programs that look into scenes
+  DumpFormat dump_scene = DumpFormat::none;
+  bool trace_macros = false;
 
   // Messages
+  bool json = false;  // as JSON, for programs
   StreamSettings streams[stream_count];
   std::string all_file;
   bool append_files = false;
@@ -72,6 +115,8 @@ struct Settings {
 
   /// What was set, in order, for `Create_Ini`.
   std::vector<std::pair<std::string, std::string>> history;
+  /// Keywords that an INI file has set.
+  std::vector<std::string> from_ini;
 };
 
 }  // namespace durer::cli

@@ -14,12 +14,26 @@ namespace durer::scene {
 namespace {
 
 // A struct with a new member must get a line in fields.h.
-template <typename... Structs>
-inline constexpr bool complete =
-    ((arity<Structs>() == std::tuple_size_v<decltype(Fields<Structs>::all)>)&&...);
-static_assert(complete<Object, ObjectExtras, Mesh, TextureUse, Root, Light, Camera, SkySphere>);
-static_assert(complete<Settings, PigmentEntry, Pigment, Finish, Layer, Texture, Interior>);
-static_assert(complete<Colour, GammaCurve, Affine>);
+template <typename Struct>
+inline constexpr bool complete = arity<Struct>() == std::tuple_size_v<decltype(Fields<Struct>::all)>;
+static_assert(complete<Object>);
+static_assert(complete<ObjectExtras>);
+static_assert(complete<Mesh>);
+static_assert(complete<TextureUse>);
+static_assert(complete<Root>);
+static_assert(complete<Light>);
+static_assert(complete<Camera>);
+static_assert(complete<SkySphere>);
+static_assert(complete<Settings>);
+static_assert(complete<PigmentEntry>);
+static_assert(complete<Pigment>);
+static_assert(complete<Finish>);
+static_assert(complete<Layer>);
+static_assert(complete<Texture>);
+static_assert(complete<Interior>);
+static_assert(complete<Colour>);
+static_assert(complete<GammaCurve>);
+static_assert(complete<Affine>);
 // Each member of Scene has its own line in Dumper::scene(), origins are written with their users.
 static_assert(arity<Scene>() == 10);
 
@@ -116,6 +130,10 @@ class Dumper {
     value("objects", scene_.objects);
     value("textures", scene_.textures);
     value("interiors", scene_.interiors);
+    // Objects share meshes, and there they are numbers.
+    out_.open_list("meshes");
+    for (const Mesh* mesh : meshes_) structure("", *mesh);
+    out_.close_list();
     out_.close_struct();
   }
 
@@ -133,6 +151,19 @@ class Dumper {
   void value(std::string_view name, const std::string& x) { out_.word(name, x); }
   void value(std::string_view name, const vec3& v) { triple(name, v); }
   void value(std::string_view name, const dvec3& v) { triple(name, v); }
+  void value(std::string_view name, const glm::vec2& v) {
+    out_.numbers(name, {number_text(v.x), number_text(v.y)});
+  }
+  void value(std::string_view name, const Triple& t) {
+    const auto text = [](std::uint32_t i) { return i == none ? "-1" : number_text(i); };
+    out_.numbers(name, {text(t[0]), text(t[1]), text(t[2])});
+  }
+  void value(std::string_view name, const std::shared_ptr<const Mesh>& mesh) {
+    if (!mesh) return out_.nothing(name);
+    const auto [known, is_new] = mesh_ids_.emplace(mesh.get(), meshes_.size());
+    if (is_new) meshes_.push_back(mesh.get());
+    out_.number(name, number_text(known->second));
+  }
   void value(std::string_view name, const SharedTransform& t) {
     if (t.is_identity()) {
       out_.nothing(name);
@@ -143,9 +174,6 @@ class Dumper {
   template <typename T>
   void value(std::string_view name, const Boxed<T>& x) {
     value(name, *x);
-  }
-  void value(std::string_view name, const std::shared_ptr<const Mesh>& x) {
-    x ? structure(name, *x) : out_.nothing(name);
   }
   void value(std::string_view name, const functions::FunctionRef& x) {
     x ? out_.word(name, functions::dump(*x)) : out_.nothing(name);
@@ -167,14 +195,6 @@ class Dumper {
     }
   }
 
-  void value(std::string_view name, const Triple& t) {
-    std::vector<std::string> texts;
-    for (const std::uint32_t x : t) texts.push_back(x == none ? "null" : number_text(x));
-    out_.numbers(name, texts);
-  }
-  void value(std::string_view name, const glm::vec2& v) {
-    out_.numbers(name, {number_text(v.x), number_text(v.y)});
-  }
   template <typename Vector>
   void triple(std::string_view name, const Vector& v) {
     out_.numbers(name, {number_text(v.x), number_text(v.y), number_text(v.z)});
@@ -257,6 +277,8 @@ class Dumper {
   const Scene& scene_;
   const Registry& registry_;
   std::optional<Lines> lines_;
+  std::vector<const Mesh*> meshes_;  // in the order of their first use
+  std::map<const Mesh*, std::size_t> mesh_ids_;
 };
 
 }  // namespace

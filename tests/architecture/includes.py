@@ -29,7 +29,7 @@ PUBLIC = {
 # Where the headers of a library may be included: paths that begin so.
 LIBRARIES = {
     "tao/pegtl": ["grammar/"],
-    "embree": ["tracer/accel/embree.cpp"],
+    "embree": ["tracer/accel/embree_api.h"],
     "tbb/": ["tracer/film/"],
     "oneapi/tbb": ["tracer/film/"],
     "OpenImageIO": ["image/"],

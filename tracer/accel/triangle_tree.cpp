@@ -1,17 +1,19 @@
 #include "tracer/accel/triangle_tree.h"
 
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
 
 #include "functions/simd/inline.h"
 #include "tracer/accel/box_tree.h"
+#include "tracer/accel/sheared_ray.h"
 
 namespace durer::tracer {
 namespace {
 
 using Float8 = float __attribute__((vector_size(32)));
-using Int8 = std::int32_t __attribute__((vector_size(32)));
+using Byte8 = std::int8_t __attribute__((vector_size(8)));
 using Float4 = float __attribute__((vector_size(16)));
 using Double4 = double __attribute__((vector_size(32)));
 using Long4 = std::int64_t __attribute__((vector_size(32)));
@@ -85,11 +87,18 @@ DURER_INLINE std::size_t push_children(const TriangleTree::Node& node, const Box
   exit = less_of(exit, slab(ray.far_plane[1], 1));
   exit = less_of(exit, slab(ray.far_plane[2], 2));
   exit = less_of(exit, Float8{} + limit);
-  const Int8 met = enter <= exit;
+  // One byte per child, so that only those which are met are looked at.
+  const Byte8 met = __builtin_convertvector(enter <= exit, Byte8);
+  std::uint64_t left;
+  std::memcpy(&left, &met, sizeof left);
+  std::array<float, TriangleTree::width> depth;
+  std::memcpy(depth.data(), &enter, sizeof depth);
   const std::size_t bottom = top;
-  for (std::size_t i = 0; i < TriangleTree::width; ++i) {
-    if (met[i] == 0) continue;
-    const Waiting w{node.child[i], enter[i]};
+  while (left != 0) {
+    const auto bit = static_cast<std::size_t>(std::countr_zero(left));
+    const std::size_t i = bit / 8;
+    left &= ~(std::uint64_t{0xFF} << bit);
+    const Waiting w{node.child[i], depth[i]};
     std::size_t at = top++;
     for (; at > bottom && stack[at - 1].depth < w.depth; --at) stack[at] = stack[at - 1];
     stack[at] = w;
@@ -97,28 +106,26 @@ DURER_INLINE std::size_t push_children(const TriangleTree::Node& node, const Box
   return top;
 }
 
-struct Vec4 {
-  Double4 x, y, z;
-};
-
-/// Calls on_hit(lane) for every triangle of the block that the line passes through. The sign of an
-/// edge is the exact opposite when seen from the neighbour, so lines cannot slip through between.
+/// Calls on_hit(lane) for every triangle of the block that the line passes through.
 template <typename OnHit>
-DURER_INLINE void pierce(const TriangleTree::Block& block, const Ray& ray, OnHit&& on_hit) {
-  const auto corner = [&](std::size_t i) DURER_LAMBDA_INLINE {
-    return Vec4{load4(block.corners[i].data()) - ray.o.x, load4(block.corners[i + 1].data()) - ray.o.y,
-                load4(block.corners[i + 2].data()) - ray.o.z};
+DURER_INLINE void pierce(const TriangleTree::Block& block, const ShearedRay& ray, OnHit&& on_hit) {
+  struct Shadow {
+    Double4 x, y;
   };
-  const Vec4 a = corner(0);
-  const Vec4 b = corner(3);
-  const Vec4 c = corner(6);
-  const auto side = [&](const Vec4& p, const Vec4& q) DURER_LAMBDA_INLINE {
-    return (p.y * q.z - p.z * q.y) * ray.d.x + (p.z * q.x - p.x * q.z) * ray.d.y +
-           (p.x * q.y - p.y * q.x) * ray.d.z;
+  const auto shadow = [&](int first) DURER_LAMBDA_INLINE {
+    const auto component = [&](int axis) DURER_LAMBDA_INLINE {
+      return load4(block.corners[static_cast<std::size_t>(first + axis)].data());
+    };
+    const Double4 z = component(ray.z) - ray.o.z;
+    return Shadow{(component(ray.x) - ray.o.x) - ray.sx * z,
+                  (component(ray.y) - ray.o.y) - ray.sy * z};
   };
-  const Double4 u = side(b, c);
-  const Double4 v = side(c, a);
-  const Double4 w = side(a, b);
+  const Shadow a = shadow(0);
+  const Shadow b = shadow(3);
+  const Shadow c = shadow(6);
+  const Double4 u = b.x * c.y - b.y * c.x;
+  const Double4 v = c.x * a.y - c.y * a.x;
+  const Double4 w = a.x * b.y - a.y * b.x;
   const Double4 zero{};
   const Long4 hit = (((u >= zero) & (v >= zero) & (w >= zero)) |
                      ((u <= zero) & (v <= zero) & (w <= zero))) &
@@ -143,7 +150,7 @@ bool plane_depth(const TriangleTree::Block& block, std::size_t lane, const Ray& 
 }
 
 /// Calls leaf(block) for the leaves that the ray may meet in t_from…t_to, the nearest first; it
-/// returns the new t_to.
+/// returns the new t_to, or less than t_from to end the walk.
 template <typename Leaf>
 DURER_INLINE void walk(const TriangleTree& tree, const Ray& ray, double t_from, double t_to,
                        Leaf&& leaf) {
@@ -161,6 +168,7 @@ DURER_INLINE void walk(const TriangleTree& tree, const Ray& ray, double t_from, 
       continue;
     }
     t_to = leaf(tree.blocks_[next.child & ~TriangleTree::leaf_mark]);
+    if (t_to < t_from) return;
     limit = box_ray.depth(t_to) + tree.pad_;
   }
 }
@@ -169,8 +177,9 @@ DURER_INLINE std::optional<TriangleTree::Hit> nearest_in(const TriangleTree& tre
                                                          double t_from, double t_to) {
   TriangleTree::Hit best{t_to, 0};
   bool found = false;
+  const ShearedRay sheared(ray);
   walk(tree, ray, t_from, t_to, [&](const TriangleTree::Block& block) DURER_LAMBDA_INLINE {
-    pierce(block, ray, [&](std::size_t lane) {
+    pierce(block, sheared, [&](std::size_t lane) {
       double t;
       if (!plane_depth(block, lane, ray, t) || !(t >= t_from)) return;
       const std::uint32_t face = block.face[lane];
@@ -184,10 +193,26 @@ DURER_INLINE std::optional<TriangleTree::Hit> nearest_in(const TriangleTree& tre
   return best;
 }
 
+DURER_INLINE std::optional<TriangleTree::Hit> any_in(const TriangleTree& tree, const Ray& ray,
+                                                     double t_from, double t_to) {
+  std::optional<TriangleTree::Hit> found;
+  const ShearedRay sheared(ray);
+  walk(tree, ray, t_from, t_to, [&](const TriangleTree::Block& block) DURER_LAMBDA_INLINE {
+    pierce(block, sheared, [&](std::size_t lane) {
+      double t;
+      if (!plane_depth(block, lane, ray, t) || !(t >= t_from && t < t_to)) return;
+      found = TriangleTree::Hit{t, block.face[lane]};
+    });
+    return found ? t_from - 1 : t_to;
+  });
+  return found;
+}
+
 DURER_INLINE void all_in(const TriangleTree& tree, const Ray& ray, double t_from, double t_to,
                          std::vector<TriangleTree::Hit>& out) {
+  const ShearedRay sheared(ray);
   walk(tree, ray, t_from, t_to, [&](const TriangleTree::Block& block) DURER_LAMBDA_INLINE {
-    pierce(block, ray, [&](std::size_t lane) {
+    pierce(block, sheared, [&](std::size_t lane) {
       double t;
       if (!plane_depth(block, lane, ray, t) || !(t >= t_from && t < t_to)) return;
       out.push_back({t, block.face[lane]});
@@ -202,6 +227,10 @@ DURER_INLINE void all_in(const TriangleTree& tree, const Ray& ray, double t_from
 DURER_WIDE std::optional<TriangleTree::Hit> nearest_wide(const TriangleTree& tree, const Ray& ray,
                                                          double t_from, double t_to) {
   return nearest_in(tree, ray, t_from, t_to);
+}
+DURER_WIDE std::optional<TriangleTree::Hit> any_wide(const TriangleTree& tree, const Ray& ray,
+                                                     double t_from, double t_to) {
+  return any_in(tree, ray, t_from, t_to);
 }
 DURER_WIDE void all_wide(const TriangleTree& tree, const Ray& ray, double t_from, double t_to,
                          std::vector<TriangleTree::Hit>& out) {
@@ -218,6 +247,14 @@ std::optional<TriangleTree::Hit> TriangleTree::nearest(const Ray& ray, double t_
   if (has_wide) return nearest_wide(*this, ray, t_from, t_to);
 #endif
   return nearest_in(*this, ray, t_from, t_to);
+}
+
+std::optional<TriangleTree::Hit> TriangleTree::any(const Ray& ray, double t_from,
+                                                   double t_to) const {
+#if defined(__x86_64__)
+  if (has_wide) return any_wide(*this, ray, t_from, t_to);
+#endif
+  return any_in(*this, ray, t_from, t_to);
 }
 
 void TriangleTree::all(const Ray& ray, double t_from, double t_to, std::vector<Hit>& out) const {

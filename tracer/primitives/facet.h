@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
+#include "tracer/accel/sheared_ray.h"
 #include "tracer/primitives/typed_store.h"
 
 namespace durer::tracer {
@@ -31,22 +32,27 @@ struct Corners {
     const double of_c = glm::dot(glm::cross(a - b, p - b), n) / area;
     return {of_a, 1 - of_a - of_c, of_c};
   }
-  /// Where the line meets the triangle, edges included. An edge is judged alike from both sides, so
-  /// that no line slips between neighbours.
+  /// Where the line meets the triangle, edges included.
   [[nodiscard]] std::optional<double> depth(const Ray& ray) const {
-    const dvec3 oa = a - ray.o;
-    const dvec3 ob = b - ray.o;
-    const dvec3 oc = c - ray.o;
-    const double u = glm::dot(glm::cross(ob, oc), ray.d);
-    const double v = glm::dot(glm::cross(oc, oa), ray.d);
-    const double w = glm::dot(glm::cross(oa, ob), ray.d);
+    const ShearedRay sheared(ray);
+    const auto shadow = [&](dvec3 p) {
+      const double z = p[sheared.z] - sheared.o.z;
+      return dvec2((p[sheared.x] - sheared.o.x) - sheared.sx * z,
+                   (p[sheared.y] - sheared.o.y) - sheared.sy * z);
+    };
+    const dvec2 sa = shadow(a);
+    const dvec2 sb = shadow(b);
+    const dvec2 sc = shadow(c);
+    const double u = sb.x * sc.y - sb.y * sc.x;
+    const double v = sc.x * sa.y - sc.y * sa.x;
+    const double w = sa.x * sb.y - sa.y * sb.x;
     const bool in = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
     if (!in) return std::nullopt;
     const dvec3 n = normal();
     const double slope = glm::dot(n, ray.d);
     const double least = epsilon * epsilon * glm::dot(n, n) * glm::dot(ray.d, ray.d);
     if (slope * slope < least || slope == 0) return std::nullopt;
-    return glm::dot(n, oa) / slope;
+    return glm::dot(n, a - ray.o) / slope;
   }
 };
 

@@ -1,10 +1,12 @@
 #include "tracer/primitives/mesh_shape.h"
 
 #include <algorithm>
+#include <bit>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <mutex>
 #include <unordered_map>
+#include <vector>
 
 namespace durer::tracer {
 namespace {
@@ -21,11 +23,42 @@ DepthRange within_reach(const Ray& ray, double t_from, double t_to) {
   return {std::max(t_from, t_least / length), std::min(t_to, t_far / length)};
 }
 
-/// Hits of one call; a buffer per thread, because shapes have none to hand down.
-std::vector<TriangleTree::Hit>& hit_buffer() {
-  thread_local std::vector<TriangleTree::Hit> hits;
-  hits.clear();
-  return hits;
+bool close(dvec3 a, dvec3 b) { return glm::dot(a - b, a - b) <= epsilon; }
+
+// Buffers of this thread, because shapes have none to hand down. Two are in use when a list of hits
+// is being made while another is walked through.
+thread_local std::vector<std::vector<TriangleTree::Hit>> buffers;
+
+std::vector<TriangleTree::Hit> take_buffer() {
+  if (buffers.empty()) return {};
+  std::vector<TriangleTree::Hit> buffer = std::move(buffers.back());
+  buffers.pop_back();
+  buffer.clear();
+  return buffer;
+}
+void give_back(std::vector<TriangleTree::Hit>&& buffer) { buffers.push_back(std::move(buffer)); }
+
+/// True if every edge belongs to an even number of faces. Edges are told apart by a sum of hashes
+/// in which pairs cancel out: a mesh with holes is taken for closed once in 2^64 cases.
+bool is_closed(const scene::Mesh& mesh) {
+  const auto hash = [](const vec3 v) {
+    std::uint64_t h = 0;
+    for (int i = 0; i < 3; ++i) {
+      h = (h ^ std::bit_cast<std::uint32_t>(v[i] + 0.0F)) * 0x9E3779B97F4A7C15U;
+      h ^= h >> 29;
+    }
+    return h;
+  };
+  std::uint64_t sum = 0;
+  for (const scene::Triple& face : mesh.faces) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint64_t a = hash(mesh.vertices[face[i]]);
+      const std::uint64_t b = hash(mesh.vertices[face[(i + 1) % 3]]);
+      const std::uint64_t edge = (std::min(a, b) * 0xD6E8FEB86659FD93U) ^ std::max(a, b);
+      if (a != b) sum ^= (edge ^ (edge >> 32)) * 0xD6E8FEB86659FD93U;
+    }
+  }
+  return sum == 0;
 }
 
 }  // namespace
@@ -37,7 +70,8 @@ std::shared_ptr<const MeshData> shared_mesh_data(const std::shared_ptr<const sce
   std::weak_ptr<const MeshData>& entry = known[mesh.get()];
   // The data holds its mesh, so no other mesh can have taken the address while the data lives.
   if (auto data = entry.lock()) return data;
-  auto data = std::make_shared<const MeshData>(MeshData{mesh, TriangleTree(*mesh)});
+  auto data = std::make_shared<const MeshData>(
+      MeshData{mesh, TriangleTree(*mesh), mesh->has_inside() && is_closed(*mesh)});
   entry = data;
   return data;
 }
@@ -53,38 +87,60 @@ std::optional<Nearest> MeshShape::nearest(const Ray& ray, double t_from, double 
   return Nearest{hit->t, hit->face};
 }
 
-// The parity of faces in one direction (objects §11.5).
-bool MeshShape::contains(dvec3 p) const {
-  if (!data_->mesh->has_inside() || !bounds().contains(p)) return false;
-  const Ray ray{p, inside_vector_};
-  const DepthRange range = within_reach(ray, 0, no_hit_depth);
-  std::vector<TriangleTree::Hit>& hits = hit_buffer();
-  data_->tree.all(ray, range.from, range.to, hits);
-  return hits.size() % 2 != 0;
+std::optional<Nearest> MeshShape::any(const Ray& ray, double t_from, double t_to) const {
+  const DepthRange range = within_reach(ray, t_from, t_to);
+  const auto hit = data_->tree.any(ray, range.from, range.to);
+  if (!hit) return std::nullopt;
+  return Nearest{hit->t, hit->face};
 }
 
-// A line goes in and out by turns. Where it meets an odd number of faces the mesh has holes, and
-// what lies between two faces is asked point by point, as the oracle would.
+Bounds3 MeshShape::inside_bounds() const {
+  const bool endless = data_->mesh->has_inside() && !data_->closed;
+  return endless ? Bounds3::everything() : bounds();
+}
+
+// The parity of faces in one direction (objects §11.5).
+bool MeshShape::contains(dvec3 p) const {
+  if (!data_->mesh->has_inside() || (data_->closed && !bounds().contains(p))) return false;
+  const Ray ray{p, inside_vector_};
+  const DepthRange range = within_reach(ray, 0, no_hit_depth);
+  std::vector<TriangleTree::Hit> hits = take_buffer();
+  data_->tree.all(ray, range.from, range.to, hits);
+  const bool odd = hits.size() % 2 != 0;
+  give_back(std::move(hits));
+  return odd;
+}
+
+bool MeshShape::begins_inside(const Ray& ray) const {
+  if (!data_->mesh->has_inside() || data_->closed) return false;
+  std::vector<TriangleTree::Hit> hits = take_buffer();
+  data_->tree.all(ray, -no_hit_depth, no_hit_depth, hits);
+  double before = 0;
+  for (const TriangleTree::Hit& hit : hits) before = std::min(before, hit.t - 1);
+  give_back(std::move(hits));
+  return contains(ray.at(before));
+}
+
+// A line goes into a closed mesh and out of it by turns. Where a mesh has holes, what lies between
+// two faces is asked point by point, as the oracle would.
 void MeshShape::crossings(const Ray& ray, Crossings& out) const {
-  std::vector<TriangleTree::Hit>& hits = hit_buffer();
+  std::vector<TriangleTree::Hit> hits = take_buffer();
   data_->tree.all(ray, -no_hit_depth, no_hit_depth, hits);
   const std::size_t first = out.size();
-  const bool solid = data_->mesh->has_inside();
   for (const TriangleTree::Hit& hit : hits) {
     out.push_back({.t = hit.t, .part = hit.face, .side = Side::sheet});
   }
-  if (!solid) return;
+  give_back(std::move(hits));
+  if (!data_->mesh->has_inside() || out.size() == first) return;
   std::sort(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(),
             [](const Crossing& a, const Crossing& b) {
               return a.t != b.t ? a.t < b.t : a.part < b.part;
             });
-  const bool closed = (out.size() - first) % 2 == 0;
-  bool inside = false;
+  const bool turns = data_->closed && (out.size() - first) % 2 == 0;
+  bool inside = !turns && contains(ray.at(out[first].t - 1));
   for (std::size_t i = first; i < out.size(); ++i) {
-    const bool last = i + 1 == out.size();
-    const bool then = last      ? false
-                      : closed ? !inside
-                               : contains(ray.at((out[i].t + out[i + 1].t) / 2));
+    const double end = i + 1 < out.size() ? out[i + 1].t : out[i].t + 2;
+    const bool then = turns ? !inside : contains(ray.at((out[i].t + end) / 2));
     if (then != inside) out[i].side = then ? Side::enter : Side::exit;
     inside = then;
   }
@@ -107,10 +163,15 @@ dvec3 MeshShape::normal(dvec3 p, std::uint32_t face) const {
   const scene::Mesh& mesh = *data_->mesh;
   const scene::Triple n = mesh.normals_of(face);
   if (n[0] != scene::none) {
-    const dvec3 w = weights(p, face);
-    const dvec3 mixed = w.x * dvec3(mesh.normals[n[0]]) + w.y * dvec3(mesh.normals[n[1]]) +
-                        w.z * dvec3(mesh.normals[n[2]]);
-    if (mixed != dvec3(0.0)) return mixed;
+    const dvec3 na(mesh.normals[n[0]]);
+    const dvec3 nb(mesh.normals[n[1]]);
+    const dvec3 nc(mesh.normals[n[2]]);
+    // A face whose normals are all the same is flat, and its normal is its own (objects §11.5).
+    if (!close(na, nb) || !close(na, nc)) {
+      const dvec3 w = weights(p, face);
+      const dvec3 mixed = w.x * na + w.y * nb + w.z * nc;
+      if (mixed != dvec3(0.0)) return mixed;
+    }
   }
   const dvec3 a = mesh.corner(face, 0);
   return glm::cross(mesh.corner(face, 2) - a, mesh.corner(face, 1) - a);

@@ -14,6 +14,7 @@ namespace durer::tracer {
 struct MeshData {
   std::shared_ptr<const scene::Mesh> mesh;
   TriangleTree tree;
+  bool closed = false;  // it has an inside, and that ends at its faces
 };
 /// The data of a mesh; made once, however often it is asked for, as long as anybody holds it.
 [[nodiscard]] std::shared_ptr<const MeshData> shared_mesh_data(
@@ -26,10 +27,14 @@ class MeshShape {
   MeshShape(std::shared_ptr<const MeshData> data, const Transform& to_world);
 
   [[nodiscard]] Bounds3 bounds() const { return data_->tree.bounds(); }
+  /// A mesh with holes has an inside that reaches beyond it, as far as its inside_vector points.
+  [[nodiscard]] Bounds3 inside_bounds() const;
   [[nodiscard]] bool contains(dvec3 p) const;
+  [[nodiscard]] bool begins_inside(const Ray& ray) const;
   [[nodiscard]] dvec3 normal(dvec3 p, std::uint32_t face) const;
   void crossings(const Ray& ray, Crossings& out) const;
   [[nodiscard]] std::optional<Nearest> nearest(const Ray& ray, double t_from, double t_to) const;
+  [[nodiscard]] std::optional<Nearest> any(const Ray& ray, double t_from, double t_to) const;
   [[nodiscard]] dvec2 uv(dvec3 p, std::uint32_t face) const;
   [[nodiscard]] TextureBlend textures(dvec3 p, std::uint32_t face) const;
 

@@ -1,3 +1,5 @@
+#include <glm/common.hpp>
+
 #include "tracer/primitives/describe.h"
 #include "tracer/primitives/facet.h"
 
@@ -6,7 +8,18 @@ namespace {
 
 struct FlatFacet : Facet<FlatFacet> {
   [[nodiscard]] std::optional<FlatFacet> moved(const Transform& t) const {
-    return FlatFacet{{corners.moved(t)}};
+    if (t.is_identity()) return *this;
+    return FlatFacet{{turned().moved(t)}};
+  }
+  /// The oracle exchanges two corners of triangles that face the wrong way along the axis they face
+  /// most; it looks at the given order as long as the triangle is not moved (objects §11.2).
+  [[nodiscard]] Corners turned() const {
+    const dvec3 n = corners.normal();
+    const dvec3 size = glm::abs(n);
+    const bool wrong = size.x >= size.y && size.x >= size.z ? n.x > 0
+                       : size.y >= size.z                   ? n.y < 0
+                                                            : n.z > 0;
+    return wrong ? Corners{corners.b, corners.a, corners.c} : corners;
   }
   [[nodiscard]] dvec3 normal(dvec3 /*p*/, std::uint32_t /*part*/) const { return corners.normal(); }
 };

@@ -61,14 +61,31 @@ TEST_CASE("convert: sampling options reach the renderer", "[cli][convert]") {
 }
 
 TEST_CASE("convert: the interpreter learns what the scene can see", "[cli][convert]") {
-  const auto o =
-      interpreter_options(test::accepted({"+La", "Declare=X=1", "+K0.1", "+MV3.5", "+UA"}));
+  const Settings settings =
+      test::accepted({"+La", "Declare=X=1", "+K0.1", "+MV3.5", "+UA", "+HIhead.inc"});
+  const auto o = interpreter_options(settings, frame_task(settings, 0));
   CHECK(o.include_paths == std::vector<std::string>{"a"});
   CHECK(o.declares.size() == 1);
   CHECK(o.clock == static_cast<double>(0.1F));
   CHECK(o.clock_on);
+  CHECK(o.frame.last == 0);
   CHECK(o.version == 350);
   CHECK(o.output_alpha);
+  CHECK(o.header_file == "head.inc");
+  CHECK_FALSE(o.confined);
+}
+
+TEST_CASE("convert: frames and limits reach the interpreter", "[cli][convert]") {
+  const Settings settings = test::accepted({"+KFI2", "+KFF4", "+KC", "--untrusted"});
+  const auto o = interpreter_options(settings, frame_task(settings, 1));
+  CHECK(o.frame.number == 3);
+  CHECK(o.frame.first == 2);
+  CHECK(o.frame.last == 5);
+  CHECK(o.frame.clock_delta == 0.333333);
+  CHECK(o.clock == static_cast<double>(static_cast<float>(1.0 / 3)));
+  CHECK(o.limits.macro_depth == 200);
+  CHECK(o.confined);
+  CHECK(o.writable.empty());
 }
 
 TEST_CASE("convert: one line tells what was assumed", "[cli][convert]") {

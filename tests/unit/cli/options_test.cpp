@@ -19,8 +19,9 @@ std::string sample(const Option& o) {
   static const std::map<std::string_view, std::string> special = {
       {"Output_File_Type", "N"}, {"Size", "8x6"},      {"Declare", "A=1"},
       {"Bits_Per_Color", "8"},   {"Version", "3.7"},   {"Quality", "9"},
-      {"File_Gamma", "1.8"},     {"Final_Frame", "0"}, {"Initial_Frame", "0"},
+      {"File_Gamma", "1.8"},     {"Diagnostics", "json"},
   };
+  if (o.keyword.ends_with("_Return")) return "S";
   if (const auto found = special.find(o.keyword); found != special.end()) return found->second;
   const bool off = o.group == Group::not_yet;
   if (o.form == Form::flag || o.form == Form::type) return off ? "off" : "on";
@@ -169,6 +170,7 @@ TEST_CASE("options: each is accepted as keyword and as switch, of either sign an
     const std::string value = sample(o);
     accepted({std::string(o.keyword) + "=" + value});
     accepted({lower(o.keyword) + "=\"" + value + "\""});
+    if (o.keyword == "Untrusted") continue;  // there is no way back: see the tests of limits
     if (o.letters.empty() || o.group == Group::not_yet) continue;
     const std::string attached = o.form == Form::value ? value : "";
     accepted({"+" + std::string(o.letters) + attached});
@@ -333,10 +335,7 @@ TEST_CASE("options: checked as a whole, what is missing is named", "[cli][option
   CHECK(problem({"+Q8"}).find("Quality=8") != std::string::npos);
   CHECK(problem({"+A", "+AM2"}).find("Sampling_Method=2") != std::string::npos);
   CHECK(problem({"+AM2"}).empty());  // without anti-aliasing it changes nothing
-  CHECK(problem({"+KFI1", "+KFF10"}).find("nimation") != std::string::npos);
-  CHECK(problem({"+KFF2"}).find("nimation") != std::string::npos);
-  CHECK(problem({"+KFI1", "+KFF1"}).empty());
-  CHECK(problem({"+KFI0", "+KFF0", "+KC", "+SF1", "+EF1"}).empty());
+  CHECK(problem({"+KFI1", "+KFF10"}).empty());
 }
 
 }  // namespace durer::cli

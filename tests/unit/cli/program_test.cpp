@@ -1,41 +1,17 @@
 // The program as a whole: files, streams and exit codes.
 #ifdef DURER_PROGRAM
 
-#include <fcntl.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <chrono>
-#include <csignal>
-#include <thread>
-
-#include "cli/scene_file.h"
-#include "tests/unit/cli/read.h"
+#include "tests/unit/cli/program.h"
 
 namespace durer::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* scene =
-    "#version 3.7; global_settings { assumed_gamma 1 }\n"
-    "camera { location -3*z look_at 0 } light_source { <5, 8, -6> 1 }\n"
-    "sphere { 0, 1 pigment { rgb 1 } }\n"
-    "#debug \"hello\\n\"\n";
-
-struct Run {
-  int code = -1;
-  std::string out, err;
-};
-
-Run run(const std::string& arguments) {
-  const std::string command = std::string(DURER_PROGRAM) + " " + arguments + " >out 2>err";
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file("out").value_or(""),
-          read_file("err").value_or("")};
-}
-
-bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+using test::has;
+using test::run;
+using test::Run;
+using test::scene;
 
 }  // namespace
 
@@ -68,7 +44,7 @@ TEST_CASE("program: errors end with 1 and write nothing", "[cli][program]") {
   folder.file("bad.pov", "sphere { 0, 1\n");
   for (const char* words :
        {"", "nowhere.pov", "bad.pov", "a.pov +W0", "a.pov --widht=3", "a.pov +Q2",
-        "a.pov +Ono/such/folder.png", "a.pov +SC900", "a.pov +KFI1 +KFF5"}) {
+        "a.pov +Ono/such/folder.png", "a.pov +SC900", "a.pov +KLA"}) {
     const Run r = run(words);
     CAPTURE(words, r.err);
     CHECK(r.code == 1);
@@ -109,28 +85,6 @@ TEST_CASE("program: help and version go to standard output", "[cli][program]") {
   const Run help = run("--help");
   CHECK(help.code == 0);
   CHECK(has(help.out, "--antialias"));
-}
-
-TEST_CASE("program: interrupted, it ends with 2 and leaves the older picture", "[cli][program]") {
-  const test::Folder folder;
-  folder.file("a.pov", scene);
-  folder.file("a.png", "older");
-  const pid_t child = ::fork();
-  if (child == 0) {
-    ::dup2(::open("err", O_WRONLY | O_CREAT, 0666), STDERR_FILENO);
-    ::execl(DURER_PROGRAM, "durer", "a.pov", "+W8000", "+H8000", "+A0", "+R9", nullptr);
-    ::_exit(127);
-  }
-  for (int wait = 0; wait < 1000 && !has(read_file("err").value_or(""), "assumed_gamma"); ++wait) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));  // until the render has begun
-  }
-  ::kill(child, SIGINT);
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  REQUIRE(WIFEXITED(status));
-  CHECK(WEXITSTATUS(status) == 2);
-  CHECK(read_file("a.png") == "older");
-  CHECK(std::distance(fs::directory_iterator("."), {}) == 3);  // scene, picture, messages
 }
 
 }  // namespace durer::cli

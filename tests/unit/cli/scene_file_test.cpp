@@ -16,7 +16,7 @@ Read read(const std::string& name, std::vector<std::string> words = {}) {
   Read r{test::accepted(words), false, {}};
   SourceMap sources;
   Diagnostics diagnostics(sources);
-  r.found = read_scene(r.settings, sources, diagnostics).has_value();
+  r.found = read_scene(r.settings, diagnostics).has_value();
   for (const Diagnostic& d : diagnostics.all()) r.messages.push_back(d.message);
   CHECK(r.found != diagnostics.has_errors());
   return r;

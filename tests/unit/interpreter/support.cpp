@@ -24,7 +24,8 @@ std::optional<std::string> check_cylinder(std::span<const double> a) {
 constexpr scene::TypeInfo sphere = {"sphere", "A ball.", sphere_params};
 constexpr scene::TypeInfo box = {"box", "A box.", box_params};
 constexpr scene::TypeInfo cylinder = {"cylinder", "A rod.", cylinder_params, check_cylinder};
-constexpr std::array<const scene::TypeInfo*, 3> primitives = {&sphere, &box, &cylinder};
+constexpr scene::TypeInfo mesh = {"mesh", "Triangles.", {}};
+constexpr std::array<const scene::TypeInfo*, 4> primitives = {&sphere, &box, &cylinder, &mesh};
 
 constexpr std::array gradient_params = {Param{"direction", ArgKind::vector, "direction"}};
 constexpr std::array<scene::MapEntry, 2> checker_map = {

@@ -117,7 +117,7 @@ class Definition {
 };
 
 Object random_primitive(Random& random) {
-  const auto types = primitive_types();
+  const auto types = types_with_samples();
   const auto& type = *types[random() % types.size()];
   const auto samples = type.samples();
   Object o = primitive(type.name, samples[random() % samples.size()]);

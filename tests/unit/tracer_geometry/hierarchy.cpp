@@ -11,7 +11,7 @@ SceneBuilder jumble(std::uint64_t seed, int count, double half, dvec3 middle) {
   Random random(seed);
   SceneBuilder b;
   for (int i = 0; i < count; ++i) {
-    const auto types = primitive_types();
+    const auto types = types_with_samples();
     const auto random_primitive = [&] {
       const auto& type = *types[random() % types.size()];
       const auto samples = type.samples();

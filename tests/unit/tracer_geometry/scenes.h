@@ -11,6 +11,7 @@
 #include "scene/scene.h"
 #include "tests/support/catch.h"
 #include "tracer/geometry.h"
+#include "tracer/primitives/describe.h"
 #include "tracer/primitives/registry.h"
 
 namespace durer::tracer::test {
@@ -30,6 +31,15 @@ inline scene::Object primitive(std::string_view name, std::vector<double> args,
   o.args = std::move(args);
   o.transform = transform;
   return o;
+}
+
+/// Primitives whose operands are numbers; meshes have tests of their own.
+inline std::vector<const PrimitiveType*> types_with_samples() {
+  std::vector<const PrimitiveType*> types;
+  for (const PrimitiveType* type : primitive_types()) {
+    if (type->place_mesh == nullptr) types.push_back(type);
+  }
+  return types;
 }
 
 /// A scene under construction. Objects get the texture 0 unless they have one.

@@ -1,0 +1,162 @@
+#include "cli/frame.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "cli/checkpointing.h"
+#include "cli/commands.h"
+#include "cli/convert.h"
+#include "cli/frame_scene.h"
+#include "cli/guard.h"
+#include "cli/interrupt.h"
+#include "cli/limits.h"
+#include "cli/progress.h"
+#include "cli/terminal.h"
+#include "tracer/compile.h"
+
+namespace durer::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_rendered(const std::string& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error) && fs::file_size(path, error) > 0 && !error;
+}
+
+class Render {
+ public:
+  Render(const Settings& settings, Console& console, const FrameTask& task)
+      : settings_(settings), console_(console), task_(task), output_(output_of(settings, task)) {}
+
+  int run(const SceneText& text) {
+    if (settings_.continue_trace && !has_state() && is_rendered(output_.path)) {
+      console_.print(Stream::render, fmt::format("{} is already rendered\n", output_.path));
+      return exit_code::ok;
+    }
+    std::string problem;
+    const auto window = window_of(settings_, problem);
+    if (!window) return console_.fail(Code::option, problem);
+    if (const auto unwritable = image::probe(output_.path)) {
+      return console_.fail(Code::file_not_written, *unwritable);
+    }
+    announce();
+    const auto frame = read_frame(settings_, text, task_, console_);
+    tracer::CompiledScenePtr compiled;
+    if (frame->scene) compiled = tracer::compile(*frame->scene, frame->diagnostics);
+    console_.print(frame->diagnostics);
+    if (!compiled || frame->diagnostics.has_errors()) return exit_code::error;
+    console_.print(Stream::render, assumptions(settings_, frame->scene->settings) + "\n");
+    return trace(*frame->scene, *compiled, *window);
+  }
+
+ private:
+  [[nodiscard]] bool has_state() const {
+    std::error_code ignored;
+    const std::string path = state_path(output_.path);
+    return !path.empty() && fs::exists(path, ignored);
+  }
+
+  void announce() {
+    if (!task_.animation) return;
+    console_.print(Stream::render, fmt::format("frame {} ({} of {}), clock {:g}\n", task_.number,
+                                               task_.index + 1, task_.count, task_.clock));
+  }
+
+  int trace(const scene::Scene& scene, const tracer::CompiledScene& compiled,
+            const Window& window) {
+    const tracer::RenderOptions options = render_options(settings_, window);
+    Checkpointing saved(state_path(output_.path), scene, options);
+    if (settings_.continue_trace) {
+      if (const auto refused = saved.take_up()) {
+        return console_.fail(Code::option, *refused,
+                             "remove that file, or render anew without `+C`");
+      }
+    }
+    std::atomic<bool>& stop = interrupts_set_flag();
+    std::atomic<bool> expired = false;
+    const double seconds = limits_of(settings_).render_seconds;
+    tracer::RenderResult result;
+    {
+      const Deadline deadline(seconds, [&] { expired = stop = true; });
+      ProgressLine line(stderr, terminal_columns(STDERR_FILENO));
+      const bool shows = settings_.verbose.value_or(true) && console_.speaks(Stream::render) &&
+                         !console_.json();
+      const auto on_progress = [&](const tracer::Progress& p) {
+        if (shows) line.show(p);
+        saved.save_now_and_then(p);
+      };
+      result = tracer::render(compiled, options, on_progress, &stop, &saved.checkpoint());
+      line.clear();
+    }
+    if (result.cancelled) return stopped(saved, expired, seconds);
+    return finish(result, window, encoding_of(settings_, scene.settings), saved);
+  }
+
+  int stopped(Checkpointing& saved, bool expired, double seconds) {
+    const auto lost = saved.save();
+    const std::string state =
+        lost ? *lost : fmt::format("`+C` takes up what is in {}", saved.path());
+    if (expired) {
+      return console_.fail(
+          Code::limit,
+          fmt::format("rendering takes longer than Max_Render_Seconds={:g}", seconds), state);
+    }
+    console_.print(Stream::fatal,
+                   fmt::format("interrupted, no picture was written; {}\n", state));
+    return exit_code::interrupted;
+  }
+
+  int finish(tracer::RenderResult& result, const Window& window, const image::Encoding& encoding,
+             Checkpointing& saved) {
+    blacken_outside(result.image, window);
+    if (!output_.path.empty()) {
+      const auto error = image::write(result.image, output_.path, *output_.format, encoding);
+      if (error) return console_.fail(Code::file_not_written, *error);
+    }
+    saved.remove();
+    if (settings_.show) show(result.image, encoding);
+    console_.print(Stream::statistic, closing_line(result.final));
+    return exit_code::ok;
+  }
+
+  void show(const image::Image& image, const image::Encoding& encoding) const {
+    const bool taken = output_.path == "-";  // standard output already carries the picture
+    const int fd = taken ? STDERR_FILENO : STDOUT_FILENO;
+    const std::string picture = draw(image, encoding, terminal_of(fd));
+    std::FILE* to = taken ? stderr : stdout;
+    std::fwrite(picture.data(), 1, picture.size(), to);
+    std::fflush(to);
+  }
+
+  [[nodiscard]] std::string closing_line(const tracer::Progress& p) const {
+    const std::string where = output_.path.empty()  ? "nothing written"
+                              : output_.path == "-" ? "standard output"
+                                                    : output_.path;
+    const double rays = static_cast<double>(p.rays);
+    return fmt::format("{}: {}x{}, {}, {} rays ({} rays/s)\n", where, settings_.width,
+                       settings_.height, time_text(p.seconds), count_text(rays),
+                       count_text(p.seconds > 0 ? rays / p.seconds : 0));
+  }
+
+  const Settings& settings_;
+  Console& console_;
+  const FrameTask& task_;
+  Output output_;
+};
+
+}  // namespace
+
+Output output_of(const Settings& settings, const FrameTask& task) {
+  if (!task.animation) return output_of(settings);
+  return output_of(settings, FrameNumber{task.number, task.animation->digits});
+}
+
+int render_frame(const Settings& settings, const SceneText& text, Console& console,
+                 const FrameTask& task) {
+  return Render(settings, console, task).run(text);
+}
+
+}  // namespace durer::cli
