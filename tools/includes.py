@@ -32,7 +32,7 @@ HEAD = """#version 3.7; global_settings { assumed_gamma 1 }
 NEEDS = {"shapes2.inc": "shapes.inc", "shapesq.inc": "shapes.inc"}  # what a file uses without including it
 NEEDS |= dict.fromkeys(("skies.inc", "stoneold.inc", "stones.inc", "stones1.inc", "stones2.inc"), "colors.inc")
 AFTER = '#ifndef (A_l) #declare A_l = spline { linear_spline 0, <0,0,0> 1, <1,2,3> } #declare A_k = function { x + y*y + z } #end\n'
-CONTEXTS = ("#declare R_ = {};", "{}", "object {{ {} }}", "sphere {{ 0, 1 {} }}", "sphere {{ 0, 1 pigment {{ {} }} }}", "#debug {}")
+CONTEXTS = ("{}", "#declare R_ = {};", "object {{ {} }}", "sphere {{ 0, 1 {} }}", "sphere {{ 0, 1 pigment {{ {} }} }}", "#debug {}")
 HINTS = (("obj|Obj", "A_o"), ("Tex", "A_t"), ("Pig", "A_p"), ("Fin", "A_i"), ("Colou?r|RGB|HSL|HSV|^C$|Clr", "A_c"),
          ("Str|Text|File|Font|Name|Txt", "A_s"), ("Arr", "A_a"), ("Stream|^RS|Rand|Seed|rd", "A_r"),
          ("Trans", "A_m"), ("Spl", "A_l"), ("Fn|Func|^F$", "A_k"), ("Num|Count|Res|^N|Steps", "A_n"),
