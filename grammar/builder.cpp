@@ -249,6 +249,11 @@ void Builder::open(FrameKind kind, const char* at, bool in_function, bool argume
   f.in_function = in_function;
   f.arguments = arguments;
   f.bodies = frames_.back().bodies;
+  if (const ast::Item* last = last_item();
+      kind == FrameKind::braces && last != nullptr && last->kind == ast::ItemKind::expr) {
+    const auto* name = std::get_if<ast::Name>(&expr(last->ref).node);
+    f.dictionary = name != nullptr && name->name == additions::dictionary;
+  }
   f.open = char_span(at);
   f.items = static_cast<std::uint32_t>(items_.size());
   f.operands = static_cast<std::uint32_t>(operands_.size());
@@ -334,8 +339,10 @@ void Builder::close_subscript(const char* at) {
 void Builder::close_index() {
   const Frame frame = frames_.back();
   const ExprId array = pop();
-  const SymbolId name = std::get<ast::Name>(expr(array).node).name;
+  const auto* array_name = std::get_if<ast::Name>(&expr(array).node);
   const Span where = expr(array).span.to({last_end_ - 1, 1});
+  if (array_name == nullptr) return close_element(array, where);
+  const SymbolId name = array_name->name;
   const auto from = items_.begin() + frame.items;
   const bool plain = std::all_of(from, items_.end(),
                                  [](const ast::Item& i) { return i.kind == ast::ItemKind::expr; });
@@ -356,6 +363,20 @@ void Builder::close_index() {
     item->ref = static_cast<std::uint32_t>(tree_->groups.size() - 1);
   }
   close_open_group(where, {ast::OpenGroup::Kind::index, ast::none, name, {}});
+}
+
+// Subscripts of an entry of a dictionary: plain ones only.
+void Builder::close_element(ExprId object, Span where) {
+  const Frame frame = frames_.back();
+  ast::Range subscripts;
+  if (!plain_list(subscripts)) {
+    throw failure(begin_ + (frame.open.begin - base_), "plain numbers as subscripts");
+  }
+  items_.resize(frame.items);
+  frames_.pop_back();
+  push(where, expr(object).may_expand || may_expand(subscripts),
+       1U + std::max<std::uint32_t>(height_of(subscripts), expr(object).height),
+       ast::Element{object, subscripts});
 }
 
 bool Builder::close_vector(const char* at) {

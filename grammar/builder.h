@@ -60,6 +60,9 @@ class Builder {
   [[nodiscard]] bool relation_only() const;
   /// True if `<` here, which begins no vector, may be a relation or a stray mark.
   [[nodiscard]] bool relation_possible(bool directive_seen) const;
+  /// True if the operand before this place is a member that no component is called: only entries of
+  /// dictionaries have elements and can be called.
+  [[nodiscard]] bool after_entry() const;
   /// True if the item before this place is an expression.
   [[nodiscard]] bool after_operand() const;
 
@@ -145,6 +148,8 @@ class Builder {
   // text from `#` to the last token of the head; white space may follow in it.
 
   void begin_declare(std::string_view head, bool local);
+  void begin_tuple(std::string_view head, bool local);
+  void tuple_gap() { operands_.push_back(ast::none); }
   void deprecated(bool once);
   void declared_value(bool semicolon);
   /// No `;` follows: a value only if nothing at `next` can continue it, otherwise an item.
@@ -160,6 +165,7 @@ class Builder {
   void begin_for(std::string_view head);
   void begin_macro(std::string_view head);
   void macro_param(std::string_view text);
+  void optional_param() { tree_->params.back().optional = true; }
   void end_loop_or_macro();
   template <typename Node>
   void simple_directive(std::string_view head, Node node) {
@@ -176,6 +182,7 @@ class Builder {
     bool in_function = false;  // `&` binds tighter than `|`
     bool arguments = false;    // call arguments: a `<` after an operand may begin the next one
     bool directive_seen = false;
+    bool dictionary = false;  // the braces after `dictionary`
     std::uint32_t bodies = 0;  // directive bodies around
     Span open{};
     std::uint32_t items = 0;     // first of its items in items_
@@ -205,7 +212,13 @@ class Builder {
   }
   [[noreturn]] void too_deep(Span where) const;
   ast::ExprId pop();
-  ast::Index target_of(ast::ExprId target);
+  /// A name with its subscripts, or the expression itself as `place`.
+  struct Target {
+    SymbolId name = 0;
+    ast::Range subscripts;
+    ast::ExprId place = ast::none;
+  };
+  Target target_of(ast::ExprId target);
   [[nodiscard]] const ast::Expr& expr(ast::ExprId id) const { return tree_->exprs[id]; }
   [[nodiscard]] std::uint32_t height_of(ast::Range list) const;
   [[nodiscard]] bool may_expand(ast::Range list) const;
@@ -216,6 +229,7 @@ class Builder {
   /// The expressions of the top frame, if its items are a plain list of them.
   bool plain_list(ast::Range& out);
   void close_open_group(Span span, ast::OpenGroup group);
+  void close_element(ast::ExprId object, Span where);
 
   void push_directive(ast::Directive d);
   ast::Directive& last_directive();

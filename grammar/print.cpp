@@ -129,6 +129,10 @@ class Printer {
     out_ += '.';
     name(m.member);
   }
+  void write(const ast::Element& e) {
+    expr(e.object);
+    subscripts(e.subscripts);
+  }
   void write(const ast::OpenGroup& g) {
     using Kind = ast::OpenGroup::Kind;
     if (g.kind == Kind::call) expr(g.callee);
@@ -196,15 +200,28 @@ class Printer {
     if (d.deprecated_once) out_ += "once ";
     if (d.deprecated_message != ast::none) operand("", d.deprecated_message);
     out_ += ' ';
-    name(d.name);
-    subscripts(d.subscripts);
+    target(d.name, d.subscripts, d.place);
     operand(" =", d.value);
     if (d.semicolon) out_ += ';';
   }
+  void target(SymbolId symbol, ast::Range list, ast::ExprId place) {
+    if (place != ast::none) return expr(place);
+    name(symbol);
+    subscripts(list);
+  }
   void write(const ast::Undef& u) {
     out_ += "#undef ";
-    name(u.name);
-    subscripts(u.subscripts);
+    target(u.name, u.subscripts, u.place);
+  }
+  void write(const ast::Tuple& t) {
+    out_ += t.local ? "#local " : "#declare ";
+    out_ += t.kind;
+    for (std::uint32_t i = 0; i < t.targets.count; ++i) {
+      if (i > 0) out_ += ", ";
+      const ast::ExprId id = tree_.expr_lists[t.targets.first + i];
+      if (id != ast::none) expr(id);
+    }
+    out_ += t.kind == '(' ? ") =" : t.kind == '<' ? "> =" : "} =";
   }
   void write(const ast::If& n) {
     for (std::uint32_t i = 0; i < n.branches.count; ++i) {
@@ -273,6 +290,7 @@ class Printer {
     out_ += '(';
     for (std::uint32_t i = 0; i < m.params.count; ++i) {
       if (i > 0) out_ += ", ";
+      if (tree_.params[m.params.first + i].optional) out_ += "optional ";
       name(tree_.params[m.params.first + i].name);
     }
     out_ += ")\n";

@@ -83,7 +83,7 @@ scene::ObjectId Interpreter::read_object(const Token& word) {
 
   // `sphere { Thing … }` copies Thing, whatever it is (objects §8.1).
   const Token first = peek();
-  if (first.node<ast::Name>() != nullptr || first.node<ast::Index>() != nullptr) {
+  if (first.is_place()) {
     const Value* v = lookup(*first.tree, first.expr, false);
     const auto* ref = v == nullptr ? nullptr : v->get<ObjectRef>();
     if (ref != nullptr && !(is_csg(word.word))) {
@@ -323,7 +323,7 @@ scene::Object Interpreter::read_csg(scene::NodeKind kind, const Token& word) {
     if (starts_object(t)) {
       next();
       o.children.push_back(read_object(t));
-    } else if (t.node<ast::Name>() != nullptr || t.node<ast::Index>() != nullptr) {
+    } else if (t.is_place()) {
       const Value* v = lookup(*t.tree, t.expr, true);
       const auto* ref = v == nullptr ? nullptr : v->get<ObjectRef>();
       if (ref == nullptr) unexpected(t, "an object or a modifier");

@@ -580,7 +580,7 @@ Num Interpreter::read_colour_num(bool strict) {
   }
   if (wanted > 0) {
     next();
-    if (is_srgb && !assumed_gamma_given_) {
+    if (is_srgb && !assumed_gamma_given_ && !native_) {
       fail(Code::evaluation, t.span,
            fmt::format("`{}` needs `assumed_gamma` to be set before it", name_of(t.word)),
            "write `global_settings { assumed_gamma 1 }` at the top of the scene");
@@ -641,8 +641,9 @@ vec3 Interpreter::read_rgb() {
 Value Interpreter::read_value() {
   const Token t = peek();
   if (t.kind == Token::Kind::expr) {
+    if (starts_dictionary(t)) return read_dictionary();
     if (t.node<ast::Name>() != nullptr || t.node<ast::Index>() != nullptr ||
-        t.node<ast::Call>() != nullptr) {
+        t.node<ast::Call>() != nullptr || additions_) {
       const Value* v = lookup(*t.tree, t.expr, false);
       if (v != nullptr && v->defined() && v->get<Num>() == nullptr) {
         next();

@@ -126,7 +126,10 @@ void Interpreter::pop() {
   if (repeats(f.kind)) --repeats_;
   if (f.kind == Frame::Kind::expansion) pieces_.resize(f.pieces);
   if (f.kind == Frame::Kind::macro || f.kind == Frame::Kind::file) {
-    if (f.kind == Frame::Kind::macro) --macro_depth_;
+    if (f.kind == Frame::Kind::macro) {
+      if (options_.on_trace) trace_return(f);
+      --macro_depth_;
+    }
     if (env_.scope() > 0) env_.close_scope();
   }
   frames_.pop_back();

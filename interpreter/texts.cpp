@@ -21,6 +21,10 @@ Value Interpreter::evaluate_value(const ast::Tree& tree, ast::ExprId id) {
     return v;
   }
   if (const auto* name = std::get_if<ast::Name>(&e.node); name != nullptr) {
+    if (name->name == grammar::additions::dictionary && additions_ &&
+        env_.find(name->name) == nullptr) {
+      return Value(std::make_shared<Dictionary>());
+    }
     if (!symbols_.reserved(name->name)) {
       const Value* v = lookup(tree, id, true);
       if (!v->defined())
@@ -29,6 +33,8 @@ Value Interpreter::evaluate_value(const ast::Tree& tree, ast::ExprId id) {
     }
   } else if (array_of(e)) {
     return copy_of(*lookup(tree, id, true));
+  } else if (additions_) {
+    if (const Value* v = entry(tree, id, true)) return copy_of(*v);
   }
   if (e.may_expand) {
     if (const MacroRef* macro = value_macro(tree, id, true)) {
@@ -58,6 +64,9 @@ bool Interpreter::is_text(const ast::Tree& tree, ast::ExprId id) {
   if (std::holds_alternative<ast::Name>(e.node) || array_of(e)) {
     const Value* v = lookup(tree, id, false);
     return v != nullptr && v->get<Shared<Text>>() != nullptr;
+  }
+  if (additions_) {
+    if (const Value* v = entry(tree, id, false)) return v->get<Shared<Text>>() != nullptr;
   }
   return text_function(tree, id) != grammar::SymbolTable::none;
 }

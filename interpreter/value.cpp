@@ -34,6 +34,8 @@ std::string_view kind_name(const Value& value) {
     std::string_view operator()(const Shared<UserFunction>&) const { return "a function"; }
     std::string_view operator()(const Shared<functions::Spline>&) const { return "a spline"; }
     std::string_view operator()(const Shared<Unsupported>& u) const { return u->feature; }
+    std::string_view operator()(const std::shared_ptr<Dictionary>&) const { return "a dictionary"; }
+    std::string_view operator()(Poison) const { return "nothing"; }
   };
   return std::visit(Visitor{}, value.node);
 }
