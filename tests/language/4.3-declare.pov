@@ -105,11 +105,6 @@ global_settings { assumed_gamma 1 }
 // expect: 6.000,1.000,1.000
 // expect: 1.000,1.000,1.000
 
-//= the short form of a declaration
-declare A = 1;
-#debug concat(str(A, 0, 0), "\n")
-// expect: 1
-
 //= deprecated names work
 #declare deprecated A = 1; #declare deprecated once "use B" B = 2;
 #debug concat(str(A, 0, 0), "\n")
