@@ -20,8 +20,8 @@ std::size_t mark_size(std::string_view text) {
 }
 
 bool scan_file(std::string_view text, std::size_t skipped, Loc base, Balance& balance,
-               Diagnostics& diagnostics) {
-  Scan scan{text.data(), base, balance, diagnostics, {}};
+               LiteralRuns& runs, Diagnostics& diagnostics) {
+  Scan scan{text.data(), base, balance, diagnostics, runs, {}};
   Input in(text.data() + skipped, text.data() + text.size(), "");
   const bool read = p::parse<rules::scan, rules::on_scan>(in, scan);
   return balance.finish(text.size()) && read && scan.errors == 0;
@@ -36,12 +36,13 @@ std::unique_ptr<const ast::Tree> parse(const SourceMap& sources, FileId file, Sy
   const std::size_t skipped = mark_size(text);
 
   Balance balance(text, base, symbols, diagnostics);
-  if (!scan_file(text, skipped, base, balance, diagnostics)) return nullptr;
+  LiteralRuns runs;
+  if (!scan_file(text, skipped, base, balance, runs, diagnostics)) return nullptr;
 
   auto tree = std::make_unique<ast::Tree>();
   tree->file = file;
   tree->utf8 = skipped > 0;
-  Builder builder(text, base, symbols, balance, *tree);
+  Builder builder(text, base, symbols, balance, runs, *tree);
   Input in(text.data() + skipped, text.data() + text.size(), "");
   try {
     const bool read = p::parse<rules::file, rules::on, control>(in, builder);

@@ -36,6 +36,7 @@ class Interpreter::Args {
       in_.optional_comma();
       return in_.fit(n, length);
     }
+    in_.last_span_ = tree_.exprs[list_[used_]].span;
     return in_.fit(in_.evaluate(tree_, list_[used_++], length), length);
   }
   /// Any length: a float stays a float.
@@ -56,9 +57,13 @@ class Interpreter::Args {
       in_.optional_comma();
       return n.v[0];
     }
-    return in_.fit(in_.evaluate_full(tree_, list_[used_++], 1), 1).v[0];
+    return in_.work_out_float(tree_, list_[used_++], "argument");
   }
-  double number() { return num(1).v[0]; }
+  double number() {
+    if (part_) return num(1).v[0];
+    require("a number");
+    return in_.work_out_float(tree_, list_[used_++], "argument");
+  }
   dvec3 vector() { return num(3).vec(); }
   std::int32_t integer() { return to_int(number()); }
   Text text() {

@@ -22,13 +22,6 @@ namespace w = grammar::words;
 namespace {
 constexpr double radians_per_degree = 0.0174532925199432957692;
 
-Num v_of(const double* v, int n) {
-  Num out;
-  std::copy(v, v + 5, out.v.begin());
-  out.length = n;
-  return out;
-}
-
 /// `v` turned about the unit vector `k` by `angle` radians: Rodrigues' matrix, with products and
 /// sums in the order that gives the oracle's last bits.
 dvec3 rotate_about(dvec3 v, dvec3 k, double angle) {
@@ -56,16 +49,8 @@ double Interpreter::days_since_2000() {
 bool Interpreter::float_function(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
                                  std::span<const ast::ExprId> args, double& result) {
   (void)e;
-  const auto full = [&](std::size_t i) {
-    double v[5] = {};
-    const int n = work_out_full(tree, args[i], 1, v);
-    return n == 1 ? v[0] : fit(v_of(v, n), 1).v[0];
-  };
-  const auto number = [&](std::size_t i) {
-    double v[5] = {};
-    const int n = work_out(tree, args[i], 1, v);
-    return n == 1 ? v[0] : fit(v_of(v, n), 1).v[0];
-  };
+  const auto number = [&](std::size_t i) { return work_out_float(tree, args[i], "argument"); };
+  const auto full = number;
   if (args.size() == 1) {
     switch (function) {
       case w::abs: result = std::abs(full(0)); return true;
@@ -216,7 +201,7 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
       return number(t.empty() ? 0 : t[0]);
     }
     case w::strlen: return number(static_cast<double>(args.text().size()));
-    case w::val: return number(std::strtod(args.text().bytes().c_str(), nullptr));
+    case w::val: return number(args.text().leading_number());
     case w::strcmp: {
       const Text a = args.text();
       return number(a.difference(args.text()));

@@ -446,6 +446,7 @@ void Interpreter::enter_macro(const ast::Tree& tree, ast::ExprId id, const Macro
   Frame& f = push(Frame::Kind::macro, e.span);
   f.flatten = flatten;
   f.tree = ref.tree;
+  f.first = items.first;
   f.pos = items.first;
   f.end = items.first + items.count;
   f.name = macro.name;

@@ -418,7 +418,7 @@ int Interpreter::work_out_vector(const ast::Tree& tree, const ast::Vector& list,
   double out[5];
   for (std::uint32_t i = 0; i < count; ++i) {
     double c[5] = {};
-    const int n = work_out_closed(tree, tree.exprs[ids[i]], 1, c);
+    const int n = work_out(tree, ids[i], 1, c);
     if (n != 1) {
       fail(Code::wrong_kind, tree.exprs[ids[i]].span,
            fmt::format("expected a float as component, found a value of {} components", n));

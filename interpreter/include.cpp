@@ -1,11 +1,10 @@
 // Files: look-up, reading, includes (language §4.9).
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include <fmt/format.h>
 
+#include "base/read_file.h"
 #include "grammar/parse.h"
 #include "interpreter/interpreter.h"
 
@@ -110,13 +109,9 @@ const ast::Tree& Interpreter::load(const std::string& name, Span span) {
   std::error_code error;
   const std::string key = fs::weakly_canonical(*path, error).string();
   if (const auto it = trees_.find(key); it != trees_.end()) return *it->second;
-  std::ifstream in(*path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (!in) {
-    fail(Code::file_not_found, span, fmt::format("cannot read the file `{}`", *path));
-  }
-  const FileId file = sources_.add(*path, std::move(text).str());
+  std::optional<std::string> text = durer::read_file(*path);
+  if (!text) fail(Code::file_not_found, span, fmt::format("cannot read the file `{}`", *path));
+  const FileId file = sources_.add(*path, *std::move(text));
   auto tree = grammar::parse(sources_, file, symbols_, diagnostics_);
   if (!tree) throw Failure{};
   remember(*tree);
@@ -133,6 +128,7 @@ void Interpreter::include(const std::string& name, Span span) {
   Frame f;
   f.kind = Frame::Kind::file;
   f.tree = &tree;
+  f.first = tree.top.first;
   f.pos = tree.top.first;
   f.end = tree.top.first + tree.top.count;
   f.call = span;

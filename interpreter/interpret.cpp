@@ -207,6 +207,7 @@ std::optional<scene::Scene> Interpreter::run(FileId main_file) try {
   Frame f;
   f.kind = Frame::Kind::file;
   f.tree = tree.get();
+  f.first = tree->top.first;
   f.pos = tree->top.first;
   f.end = tree->top.first + tree->top.count;
   main_trees_.push_back(std::move(tree));

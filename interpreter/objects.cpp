@@ -167,9 +167,12 @@ void Interpreter::read_operand(const scene::Param& p, double* out) {
 std::vector<double> Interpreter::read_operands(const scene::TypeInfo& info, const Token& word) {
   std::vector<double> args;
   args.reserve(info.arg_count());
-  std::vector<std::size_t> offsets;
-  for (const scene::Param& p : info.params) {
-    offsets.push_back(args.size());
+  std::array<std::size_t, 32> offsets;  // NOLINT: filled as far as there are parameters
+  bool has_words = false;
+  for (std::size_t i = 0; i < info.params.size(); ++i) {
+    const scene::Param& p = info.params[i];
+    offsets[i] = args.size();
+    has_words |= !p.positional;
     args.insert(args.end(), p.fallback.begin(), p.fallback.begin() + scene::width(p.kind));
   }
   const auto put = [&](std::size_t i) { read_operand(info.params[i], &args[offsets[i]]); };
@@ -194,7 +197,7 @@ std::vector<double> Interpreter::read_operands(const scene::TypeInfo& info, cons
     for (std::size_t k = i + 1; k < info.params.size(); ++k) more |= info.params[k].positional;
     if (more) optional_comma();
   }
-  for (bool again = true; again;) {
+  for (bool again = has_words; again;) {
     again = false;
     const Token t = peek();
     if (t.kind != Token::Kind::word) break;

@@ -110,7 +110,9 @@ void Interpreter::choose_pattern(scene::Pattern& p, std::uint32_t index) {
 }
 
 void Interpreter::read_pattern_operands(scene::Pattern& p, const Token& word) {
-  p.args = read_operands(*registry_.patterns[p.type], word);
+  const scene::PatternInfo& info = *registry_.patterns[p.type];
+  p.args = read_operands(info, word);
+  p.function = info.takes_function ? read_scene_function() : nullptr;
 }
 
 /// What may follow any pattern; false if `t` is something else.

@@ -32,6 +32,15 @@ void Interpreter::optional_comma() { accept_raw_comma_or_peek(); }
 
 /// Takes a comma if one follows. Nothing is executed to find out when the next item tells.
 void Interpreter::accept_raw_comma_or_peek() {
+  if (Frame& f = frames_.back();
+      unread_.size() <= unread_base_ && f.has_items() && f.pos < f.end) {
+    const ast::Item& item = f.tree->items[f.pos];
+    if (item.kind == ast::ItemKind::punct && item.detail == ',') {
+      ++f.pos;
+      return;
+    }
+    if (item.kind != ast::ItemKind::directive && item.kind != ast::ItemKind::expr) return;
+  }
   const Token raw = raw_next();
   if (raw.is_punct(',')) {
     next();
@@ -177,13 +186,65 @@ const ast::Unary* leading_sign(const ast::Tree& tree, ast::ExprId id) {
 
 }  // namespace
 
+namespace {
+/// True if what is written at `pos` of the frame cannot continue an expression, whatever directives
+/// would do. `full`: nor as a relation.
+bool ends_expression(const Frame& f, std::uint32_t pos, bool full) {
+  if (pos >= f.end) return f.kind == Frame::Kind::group || f.kind == Frame::Kind::barrier;
+  const ast::Item& item = f.tree->items[pos];
+  switch (item.kind) {
+    case ast::ItemKind::word:
+    case ast::ItemKind::braces:
+    case ast::ItemKind::brackets: return true;
+    case ast::ItemKind::directive:
+    case ast::ItemKind::literals: return false;
+    case ast::ItemKind::expr: return leading_sign(*f.tree, item.ref) == nullptr;
+    case ast::ItemKind::punct:
+      return !is_operator(item.detail) && item.detail != '.' &&
+             !(full && (is_full_operator(item.detail) || item.detail == ':'));
+  }
+  return false;
+}
+}  // namespace
+
+/// The commonest case by far: the next item is a whole expression that needs no spelling out, and
+/// nothing that could continue it follows. Takes it and says which; `none` otherwise.
+ast::ExprId Interpreter::take_plain(const ast::Tree*& tree, bool full) {
+  Frame& f = frames_.back();
+  if (!f.has_items() || f.flatten) return ast::none;
+  if (unread_.size() > unread_base_) {
+    // It has been looked at already: then it stands before what the frame delivers next.
+    const Token& seen = unread_.back();
+    if (unread_.size() > unread_base_ + 1 || seen.kind != Token::Kind::expr || f.pos == f.first ||
+        seen.tree != f.tree || f.tree->items[f.pos - 1].ref != seen.expr ||
+        f.tree->items[f.pos - 1].kind != ast::ItemKind::expr || !ends_expression(f, f.pos, full)) {
+      return ast::none;
+    }
+    const ast::ExprId id = seen.expr;
+    last_span_ = seen.span;
+    unread_.pop_back();
+    tree = f.tree;
+    return id;
+  }
+  if (f.pos >= f.end) return ast::none;
+  const ast::Item& item = f.tree->items[f.pos];
+  if (item.kind != ast::ItemKind::expr || !ends_expression(f, f.pos + 1, full) ||
+      needs_expansion(*f.tree, item.ref)) {
+    return ast::none;
+  }
+  ++f.pos;
+  last_span_ = item.span;
+  tree = f.tree;
+  return item.ref;
+}
+
 /// True if what follows continues an expression; then it has been peeked at. Directives are
 /// executed only where the next item does not tell, and never behind the value of a #declare.
 bool Interpreter::at_operator() {
   Token t = raw_next();
   if (t.kind == Token::Kind::end) {
     const Frame& f = frames_.back();
-    const bool items_left = f.kind != Frame::Kind::expansion && f.pos < f.end;
+    const bool items_left = f.has_items() && f.pos < f.end;
     if (f.kind == Frame::Kind::barrier && !items_left) return false;
     if (in_declared_value()) {
       leave_ended_frames();
@@ -285,6 +346,10 @@ Num Interpreter::read_product(int length) {
 }
 
 Num Interpreter::read_num(int length) {
+  const ast::Tree* tree = nullptr;
+  if (const ast::ExprId id = take_plain(tree, false); id != ast::none) {
+    return evaluate(*tree, id, length);
+  }
   // The common case: one closed expression, nothing after it.
   const Token t = next();
   if (t.kind == Token::Kind::expr && !flatten_context()) {
@@ -366,12 +431,16 @@ Num Interpreter::read_full_in_place(int length) {
 }
 
 Num Interpreter::read_full(int length) {
+  const ast::Tree* tree = nullptr;
+  if (const ast::ExprId id = take_plain(tree, true); id != ast::none) {
+    return evaluate_full(*tree, id, length);
+  }
   const Num n = read_full_in_place(length);
   return n.length == 1 && length > 1 ? Num::filled(n.v[0], length) : n;
 }
 
 /// Checks the length against what the place wants; shorter vectors are zero-padded already.
-Num Interpreter::fit(const Num& n, int length) {
+const Num& Interpreter::fit(const Num& n, int length) {
   if (n.length <= length) return n;
   fail(Code::wrong_kind, last_span_,
        length == 1
@@ -381,6 +450,10 @@ Num Interpreter::fit(const Num& n, int length) {
 }
 
 double Interpreter::read_scalar(std::string_view what) {
+  const ast::Tree* tree = nullptr;
+  if (const ast::ExprId id = take_plain(tree, false); id != ast::none) {
+    return work_out_float(*tree, id, what);
+  }
   const Span at = peek().span;
   const Num n = read_num(1);
   if (n.length != 1) {
@@ -394,6 +467,12 @@ double Interpreter::read_scalar(std::string_view what) {
 double Interpreter::read_float() { return read_scalar("operand"); }
 
 dvec3 Interpreter::read_vector() {
+  const ast::Tree* tree = nullptr;
+  if (const ast::ExprId id = take_plain(tree, false); id != ast::none) {
+    Num n;
+    n.length = work_out(*tree, id, 3, n.v.data());
+    return fit(n, 3).vec();
+  }
   last_span_ = peek().span;
   return fit(read_num(3), 3).vec();
 }

@@ -51,6 +51,13 @@ Token Interpreter::raw_next() const {
   if (unread_.size() > unread_base_) return unread_.back();
   const Frame& f = frames_.back();
   Token t;
+  if (f.kind == Frame::Kind::literals) {
+    if (f.at_comma) {
+      t.kind = Token::Kind::punct;
+      t.punct = ',';
+    }
+    return t;
+  }
   if (f.kind == Frame::Kind::expansion) {
     if (pieces_.size() > f.pieces && pieces_.back().expr == ast::none && !pieces_.back().is_word) {
       t.kind = Token::Kind::punct;
@@ -88,6 +95,7 @@ Token Interpreter::raw_next() const {
         t.expr = item.ref;
       }
       break;
+    case ast::ItemKind::literals:
     case ast::ItemKind::directive: break;
   }
   return t;
@@ -128,6 +136,7 @@ void Interpreter::pop() {
 bool Interpreter::step(Token& token) {
   const Frame& f = frames_.back();
   if (f.kind == Frame::Kind::expansion) return step_expansion(token);
+  if (f.kind == Frame::Kind::literals) return step_literals(token);
   return f.pos < f.end ? step_item(token) : step_end(token);
 }
 
@@ -158,6 +167,7 @@ bool Interpreter::step_item(Token& token) {
       inner.kind = Frame::Kind::group;
       inner.brackets = item.kind == ast::ItemKind::brackets;
       inner.tree = &tree;
+      inner.first = g.items.first;
       inner.pos = g.items.first;
       inner.end = g.items.first + g.items.count;
       inner.node = item.ref;
@@ -168,6 +178,7 @@ bool Interpreter::step_item(Token& token) {
       return true;
     }
     case ast::ItemKind::directive: execute(tree, item); return false;
+    case ast::ItemKind::literals: push_literals(tree, item); return false;
     case ast::ItemKind::expr:
       if (f.flatten || needs_expansion(tree, item.ref)) {
         if (is_macro_call(tree, item.ref)) {
@@ -215,12 +226,14 @@ bool Interpreter::step_end(Token& token) {
         return false;
       }
       const ast::Case& c = f.tree->cases[node.cases.first + f.next_case++];
+      f.first = c.items.first;
       f.pos = c.items.first;
       f.end = c.items.first + c.items.count;
       return false;
     }
     case Frame::Kind::macro:
     case Frame::Kind::branch:
+    case Frame::Kind::literals:
     case Frame::Kind::expansion: pop(); return false;
   }
   return false;
@@ -407,6 +420,7 @@ void Interpreter::Nested::open(const ast::Tree& tree) {
 
 Interpreter::Nested::Nested(Interpreter& in, const ast::Tree& tree, ast::Range items) : in_(in) {
   open(tree);
+  in_.frames_.back().first = items.first;
   in_.frames_.back().pos = items.first;
   in_.frames_.back().end = items.first + items.count;
   if (items.count > 0) {

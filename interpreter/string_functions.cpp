@@ -1,13 +1,13 @@
 // The functions of the language that make strings (language §3.3, §3.5). Each appends its result to
 // a text, so that nested calls fill one buffer.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
 
 #include <fmt/format.h>
 
+#include "base/format_fixed.h"
 #include "interpreter/arguments.h"
 
 namespace durer::interpreter {
@@ -26,11 +26,8 @@ void Interpreter::append_number(double value, int width, int decimals, Text& out
     out.append(std::string_view(line));
     return;
   }
-  // Rounds the exact binary value to even, like printf, at a fraction of its time.
-  char digits[640];
-  const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed,
-                                 places);
-  std::string_view number(digits, static_cast<std::size_t>(end.ptr - digits));
+  char digits[format_fixed_size];
+  std::string_view number = format_fixed(value, places, digits);
   const auto wanted = static_cast<std::size_t>(std::abs(width));
   if (std::max(number.size(), wanted) > 254) {
     char line[64];

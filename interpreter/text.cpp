@@ -1,6 +1,8 @@
 #include "interpreter/text.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cstdlib>
 
 namespace durer::interpreter {
 namespace {
@@ -13,6 +15,8 @@ void map_ascii(String& s, std::size_t first, char from, char to, int by) {
     }
   }
 }
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 constexpr int upper_to_lower = 'a' - 'A';
 
@@ -85,6 +89,18 @@ std::strong_ordering operator<=>(const Text& a, const Text& b) {
     if (a[i] != b[i]) return a[i] <=> b[i];
   }
   return a.size() <=> b.size();
+}
+
+double Text::leading_number() const {
+  // Plain digits, as nearly always; everything else that atof knows is left to it.
+  if (wide_.empty() && !narrow_.empty() && (narrow_[0] == '.' || is_digit(narrow_[0]))) {
+    const char* const end = narrow_.data() + narrow_.size();
+    double x = 0;
+    const auto read = std::from_chars(narrow_.data(), end, x);
+    const bool hexadecimal = read.ptr != end && (*read.ptr == 'x' || *read.ptr == 'X');
+    if (read.ec == std::errc() && !hexadecimal) return x;
+  }
+  return std::strtod(bytes().c_str(), nullptr);
 }
 
 std::string Text::bytes() const {

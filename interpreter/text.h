@@ -40,6 +40,8 @@ class Text {
   /// The difference of the first codes that differ, where the end counts 0 (`strcmp`).
   [[nodiscard]] int difference(const Text& other) const;
 
+  /// The longest number at the beginning, as C's atof reads it; 0 if there is none.
+  [[nodiscard]] double leading_number() const;
   /// Codes above 127 become spaces, as in every message of the language.
   [[nodiscard]] std::string bytes() const;
 

@@ -177,6 +177,9 @@ class Dumper {
   void value(std::string_view name, const Boxed<T>& x) {
     value(name, *x);
   }
+  void value(std::string_view name, const functions::FunctionRef& x) {
+    x ? out_.word(name, functions::dump(*x)) : out_.nothing(name);
+  }
   template <typename T>
   void value(std::string_view name, const std::optional<T>& x) {
     x ? value(name, *x) : out_.nothing(name);

@@ -173,6 +173,7 @@ template <>
 struct Fields<Pattern> {
   static constexpr std::tuple all{field("type", &Pattern::type, Role::pattern),
                                   field("args", &Pattern::args, Role::operands),
+                                  field("function", &Pattern::function),
                                   field("warps", &Pattern::warps),
                                   field("transform", &Pattern::transform),
                                   field("frequency", &Pattern::frequency),

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/transform.h"
+#include "functions/tape.h"
 #include "scene/origin.h"
 #include "scene/type_info.h"
 
@@ -26,6 +27,7 @@ struct Warp {
 struct Pattern {
   std::uint32_t type = none;  // index into Registry::patterns
   std::vector<double> args;   // the pattern's operands, laid out by its Params
+  functions::FunctionRef function;  // of x, y, z; what the pattern `function` evaluates
   std::vector<Warp> warps;    // in written order: the last one acts first
   SharedTransform transform;  // after all warps: pattern space → the space around
   float frequency = 1;

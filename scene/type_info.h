@@ -78,6 +78,7 @@ struct PatternInfo : TypeInfo {
   /// Entries used where none are written: colours of a list at keys 0, 1, 2…, or a default map.
   std::span<const MapEntry> default_map;
   bool unwrapped = false;  // frequency is 0 unless it is set; so it is for block patterns
+  bool takes_function = false;  // `{ … }` of x, y, z follows its name
 };
 
 /// Everything the interpreter may bind, in the order of the registration lists; indices into these

@@ -25,6 +25,7 @@ struct PatternContext {
   float phase = 0;
   dvec3 turbulence{0.0};         // of `turbulence` outside of any warp
   functions::Octaves octaves;    // of the same
+  const functions::Function* function = nullptr;  // what the pattern `function` evaluates
 };
 
 /// A surface as a ray meets it, for patterns that depend on more than the place.
@@ -91,6 +92,7 @@ struct PatternTraits {
   bool unwrapped = false;
   bool own_turbulence = false;
   bool averages = false;
+  bool takes_function = false;
 };
 
 /// Describes the pattern P: default members, `operands` (optional), `samples`, an optional
@@ -111,6 +113,7 @@ constexpr PatternType describe_pattern(std::string_view name, std::string_view d
   type.unwrapped = traits.unwrapped || traits.list_size > 0;
   type.own_turbulence = traits.own_turbulence;
   type.averages = traits.averages;
+  type.takes_function = traits.takes_function;
   if constexpr (detail::Perturbs<P>) type.perturb = &detail::perturb<P>;
   type.prepare = &detail::prepare<P>;
   type.evaluate = &detail::evaluate<P>;

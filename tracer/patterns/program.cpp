@@ -50,6 +50,10 @@ PatternProgram PatternStore::compile(const scene::Pattern& pattern, const Transf
   context.waves = *waves_;
   context.frequency = pattern.frequency;
   context.phase = pattern.phase;
+  if (pattern.function) {
+    context.function = pattern.function.get();
+    functions_.push_back(pattern.function);
+  }
 
   out.first_step = static_cast<std::uint32_t>(steps_.size());
   for (std::size_t i = pattern.warps.size(); i-- > 0;) {

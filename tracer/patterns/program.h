@@ -52,6 +52,7 @@ class PatternStore {
   // Behind a pointer, so that programs may point to it wherever the store goes.
   std::shared_ptr<const std::vector<functions::WaveSource>> waves_;
   std::vector<Step> steps_;
+  std::vector<functions::FunctionRef> functions_;  // that programs point to
 };
 
 /// The wave form that shapes a pattern's value, 0…1 (textures §3, step 5).

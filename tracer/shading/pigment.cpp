@@ -5,9 +5,14 @@
 namespace durer::tracer {
 namespace {
 
-Colour mix(const Colour& a, const Colour& b, float t) {
-  return {a.rgb + t * (b.rgb - a.rgb), a.filter + t * (b.filter - a.filter),
-          a.transmit + t * (b.transmit - a.transmit)};
+// Weights are double, differences and what is added are float: these are the oracle's last bits.
+Colour mix(const Colour& a, const Colour& b, double t) {
+  const auto between = [t](float from, float to) {
+    return from + static_cast<float>(t * static_cast<double>(to - from));
+  };
+  return {{between(a.rgb.x, b.rgb.x), between(a.rgb.y, b.rgb.y), between(a.rgb.z, b.rgb.z)},
+           between(a.filter, b.filter),
+           between(a.transmit, b.transmit)};
 }
 
 bool opaque_colour(const Colour& c) { return c.filter == 0 && c.transmit == 0; }
@@ -55,7 +60,7 @@ Colour PigmentStore::select(const Node& node, double value, dvec3 p,
   const auto found = find_neighbours(entries, value);
   const Colour lower = entry_colour(*found.lower, p, view);
   if (found.single()) return lower;
-  return mix(lower, entry_colour(*found.upper, p, view), static_cast<float>(found.t));
+  return mix(lower, entry_colour(*found.upper, p, view), found.t);
 }
 
 Colour PigmentStore::entry_colour(const Entry& entry, dvec3 p, const SurfaceView* view) const {

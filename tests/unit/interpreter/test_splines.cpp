@@ -32,7 +32,7 @@ TEST_CASE("splines: lengths", "[interpreter][splines]") {
   CHECK(value_of("S(0.5).x", line, 0) == "2");
   CHECK(value_of("vlength(S(0.5))", line) == "2.828427");
   CHECK(vector_of("S(0.5)+<0,0,1>", 3, line, 0) == "2 2 1");
-  CHECK(error(line + "#declare A = sin(S(0.5));") == "expected a float, found a vector");
+  CHECK(error(line + "#declare A = sin(S(0.5));") == "expected a float as argument, found a value of 2 components");
   CHECK(error(line + "#declare A = S(0.5).z;") ==
         "there is no component `z` in a value of 2 components");
 }
