@@ -51,7 +51,7 @@ global_settings { assumed_gamma 1 }
 
 //= components are no targets
 #declare V = <1,2,3>; #declare V.x = 5;
-// error: D0101 at 1:33
+// error: D0204 at 1:32
 
 //= a function cannot be declared again
 #declare F = function(A) { A } #declare F = function(A) { A*2 }
