@@ -8,6 +8,7 @@
 
 #include "grammar/parse.h"
 #include "interpreter/camera.h"
+#include "interpreter/deep_stack.h"
 #include "interpreter/interpreter.h"
 
 namespace durer::interpreter {
@@ -27,6 +28,7 @@ Interpreter::Interpreter(SourceMap& sources, const scene::Registry& registry,
   plain.layers.emplace_back();
   default_texture_ = add_texture(std::move(plain));
   if (options.version > 0) {
+    version_source_ = " (option)";
     declared_version_ = options.version;
     version_given_ = true;
   }
@@ -122,6 +124,10 @@ void Interpreter::top_level() {
       add_root(read_object(t));
       continue;
     }
+    if (const auto* name = t.node<ast::Name>(); name != nullptr && name->name == w::version) {
+      obsolete_directive(t, "version");
+      continue;
+    }
     if (t.kind == Token::Kind::expr) {
       const Value* v = lookup(*t.tree, t.expr, true);
       if (v != nullptr && v->get<ObjectRef>() != nullptr) {
@@ -143,6 +149,8 @@ void Interpreter::top_level() {
         warn(Code::deprecated, t.span, "`default` without `#`", "write `#default`");
         default_block();
         break;
+      case w::declare: obsolete_directive(t, "declare"); break;
+      case w::include: obsolete_directive(t, "include"); break;
       case w::max_trace_level: read_max_trace_level(t); break;
       case w::max_intersections: read_float(); break;
       case w::sky_sphere:
@@ -162,7 +170,7 @@ std::optional<scene::Scene> Interpreter::run(FileId main_file) {
   main_file_ = main_file;
   auto tree = grammar::parse(sources_, main_file, symbols_, diagnostics_);
   if (!tree) return std::nullopt;
-  utf8_ = tree->utf8;
+  if (tree->utf8) charset_ = Charset::utf8;
   remember(*tree);
 
   predefine();
@@ -178,6 +186,7 @@ std::optional<scene::Scene> Interpreter::run(FileId main_file) {
   if (options_.version == 0 && path.ends_with(".scene")) {
     native_ = true;
     set_version(3.8, {});
+    version_source_ = " (.scene)";
   } else if (options_.version >= 380) {
     declare_additions();
   }
@@ -201,6 +210,7 @@ void Interpreter::finish() {
                                 : default_camera_ ? *default_camera_
                                                   : CameraSpec{});
   finish_settings();
+  if (options_.on_assumptions) options_.on_assumptions(assumptions());
   if (scene_.roots.empty()) {
     Diagnostic d;
     d.severity = Severity::warning;
@@ -213,8 +223,12 @@ void Interpreter::finish() {
 std::optional<scene::Scene> interpret(SourceMap& sources, FileId main_file,
                                       const scene::Registry& registry, const Options& options,
                                       Diagnostics& diagnostics) {
-  Interpreter interpreter(sources, registry, options, diagnostics);
-  return interpreter.run(main_file);
+  std::optional<scene::Scene> scene;
+  on_deep_stack([&] {
+    Interpreter interpreter(sources, registry, options, diagnostics);
+    scene = interpreter.run(main_file);
+  });
+  return scene;
 }
 
 }  // namespace durer::interpreter
