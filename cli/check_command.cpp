@@ -19,9 +19,8 @@ std::string summary(const FrameScene& frame, const Settings& settings) {
   const scene::Scene& s = *frame.scene;
   return fmt::format("{}: {}, {}, {}, {} read, {}; {}\n", frame.sources.path(0),
                      counted(s.roots.size(), "object"), counted(s.lights.size(), "light"),
-                     counted(s.textures.size(), "texture"),
-                     counted(frame.sources.size(), "file"), time_text(frame.seconds),
-                     assumptions(settings, s.settings));
+                     counted(s.textures.size(), "texture"), counted(frame.sources.size(), "file"),
+                     time_text(frame.seconds), assumptions(settings, s.settings));
 }
 
 /// The first frame of an animation stands for all.

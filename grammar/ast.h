@@ -16,6 +16,7 @@
 
 #include "base/diagnostic.h"
 #include "base/source.h"
+#include "grammar/literals.h"
 #include "grammar/vocabulary.h"
 
 namespace durer::ast {
@@ -143,6 +144,7 @@ enum class ItemKind : std::uint8_t {
   braces,     // ref: GroupId: `{ items }`
   brackets,   // ref: GroupId: `[ items ]`
   directive,  // ref: DirectiveId
+  literals,   // ref: into Tree::literals: a long list of numbers or vectors, commas included
   punct,      // detail: the character: `,` `;` or a stray mark. `<=` is 'l', `>=` 'g', `!=` 'n'
 };
 
@@ -302,6 +304,7 @@ struct Tree {
   std::vector<Case> cases;
   std::vector<Param> params;
   std::vector<std::string> strings;
+  std::vector<grammar::LiteralRun> literals;
   std::vector<Flaw> flaws;  // sorted by place
   /// The file began with bytes above 127 (a byte-order mark): strings are UTF-8 (language §1.1).
   bool utf8 = false;

@@ -30,6 +30,16 @@ void Builder::resumed_item() {
   items_.back().span = expr(id).span;
 }
 
+std::size_t Builder::literals_item(const char* at) {
+  const LiteralRun* run = runs_->at(at);
+  if (run == nullptr) return 0;
+  token(run->text);
+  push_item(ItemKind::literals, static_cast<std::uint32_t>(tree_->literals.size()),
+            span(run->text));
+  tree_->literals.push_back(*run);
+  return run->text.size();
+}
+
 void Builder::word_item(std::string_view text) {
   token(text);
   push_item(ItemKind::word, word_at(text.data(), end_)->id, span(text));
@@ -75,6 +85,7 @@ bool Builder::mark_allowed(const char* at) const {
                                items_[items_.size() - 2].kind == ItemKind::word;
       return expr(last->ref).may_expand || old_declare;
     }
+    case ItemKind::literals: return !tree_->literals[last->ref].comma_after;
     case ItemKind::punct: return last->detail != ',' && last->detail != ';';
     default: return false;
   }

@@ -54,12 +54,13 @@ ast::Op op_of(std::string_view text) {
 }  // namespace
 
 Builder::Builder(std::string_view text, Loc base, SymbolTable& symbols, const Balance& balance,
-                 ast::Tree& tree, bool lenient)
+                 const LiteralRuns& runs, ast::Tree& tree, bool lenient)
     : begin_(text.data()),
       end_(text.data() + text.size()),
       base_(base),
       symbols_(&symbols),
       balance_(&balance),
+      runs_(&runs),
       tree_(&tree),
       last_end_(base),
       lenient_(lenient) {
@@ -101,6 +102,7 @@ Builder::Checkpoint Builder::checkpoint() const {
           tree_->cases.size(),
           tree_->params.size(),
           tree_->strings.size(),
+          tree_->literals.size(),
           operands_.size(),
           items_.size(),
           frames_.size(),
@@ -121,6 +123,7 @@ void Builder::rollback(const Checkpoint& to) {
   tree_->cases.resize(to.cases);
   tree_->params.resize(to.params);
   tree_->strings.resize(to.strings);
+  tree_->literals.resize(to.literals);
   operands_.resize(to.operands);
   items_.resize(to.waiting_items);
   frames_.resize(to.frames);

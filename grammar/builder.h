@@ -10,6 +10,7 @@
 
 #include "grammar/ast.h"
 #include "grammar/balance.h"
+#include "grammar/literals.h"
 
 namespace durer::grammar {
 
@@ -33,7 +34,7 @@ struct Failure {
 class Builder {
  public:
   Builder(std::string_view text, Loc base, SymbolTable& symbols, const Balance& balance,
-          ast::Tree& tree, bool lenient = false);
+          const LiteralRuns& runs, ast::Tree& tree, bool lenient = false);
 
   // ---- what the rules ask --------------------------------------------------------------------
 
@@ -137,6 +138,8 @@ class Builder {
   /// Takes up the expression item before this place once more, as an operand, to be continued.
   bool resume_expression();
   void resumed_item();
+  /// The long list of literals that begins here becomes an item; its size, 0 if there is none.
+  std::size_t literals_item(const char* at);
   void word_item(std::string_view text);
   void mark(std::string_view text);
   void close_group(ast::ItemKind kind, const char* at);
@@ -244,6 +247,7 @@ class Builder {
   Loc base_;
   SymbolTable* symbols_;
   const Balance* balance_;
+  const LiteralRuns* runs_;
   ast::Tree* tree_;
 
   std::vector<ast::ExprId> operands_;
@@ -268,7 +272,7 @@ class Builder {
 };
 
 struct Builder::Checkpoint {
-  std::size_t exprs, expr_lists, items, groups, directives, branches, cases, params, strings;
+  std::size_t exprs, expr_lists, items, groups, directives, branches, cases, params, strings, literals;
   std::size_t operands, waiting_items, frames, pending, waiting_branches, waiting_cases;
   std::uint32_t depth;
   Loc last_end;

@@ -98,8 +98,20 @@ struct comma_item       : p::seq<comma_mark> {};
 
 // ---- items in their places -----------------------------------------------------------------------
 
+/// A list of literals too long to be read one by one.
+struct literals_item    : predicate<literals_item> {
+  template <typename Input>
+  static bool test(Input& in, Builder& b) {
+    if (in.empty() || !may_begin_literal(in.peek_char())) return false;
+    const std::size_t size = b.literals_item(in.current());
+    in.bump(size);
+    return size > 0;
+  }
+};
+
 template <typename Expression>
 struct item_of          : recover<p::sor<p::seq<comma_item, gap>,
+                                         p::seq<literals_item, gap>,
                                          directive,
                                          function_body, block, entry,
                                          expression_item<Expression>,

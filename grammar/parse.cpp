@@ -20,8 +20,8 @@ std::size_t mark_size(std::string_view text) {
 }
 
 bool scan_file(std::string_view text, std::size_t skipped, Loc base, Balance& balance,
-               Diagnostics& diagnostics) {
-  Scan scan{text.data(), base, balance, diagnostics, {}};
+               LiteralRuns& runs, Diagnostics& diagnostics) {
+  Scan scan{text.data(), base, balance, diagnostics, runs, {}};
   Input in(text.data() + skipped, text.data() + text.size(), "");
   const bool read = p::parse<rules::scan, rules::on_scan>(in, scan);
   return balance.finish(text.size()) && read && scan.errors == 0;
@@ -30,10 +30,11 @@ bool scan_file(std::string_view text, std::size_t skipped, Loc base, Balance& ba
 /// After the first syntax error: the file once more, this time taking what cannot be read for single
 /// marks, as directive bodies do. One error per line is enough.
 void report_others(std::string_view text, std::size_t skipped, Loc base, SymbolTable& symbols,
-                   const Balance& balance, const SourceMap& sources, std::uint32_t last_line,
+                   const Balance& balance, const LiteralRuns& runs,
+                   const SourceMap& sources, std::uint32_t last_line,
                    Diagnostics& diagnostics) {
   ast::Tree scratch;
-  Builder builder(text, base, symbols, balance, scratch, true);
+  Builder builder(text, base, symbols, balance, runs, scratch, true);
   Input in(text.data() + skipped, text.data() + text.size(), "");
   try {
     (void)p::parse<rules::file, rules::on, control>(in, builder);
@@ -57,12 +58,13 @@ std::unique_ptr<const ast::Tree> parse(const SourceMap& sources, FileId file, Sy
   const std::size_t skipped = mark_size(text);
 
   Balance balance(text, base, symbols, diagnostics, included);
-  if (!scan_file(text, skipped, base, balance, diagnostics)) return nullptr;
+  LiteralRuns runs;
+  if (!scan_file(text, skipped, base, balance, runs, diagnostics)) return nullptr;
 
   auto tree = std::make_unique<ast::Tree>();
   tree->file = file;
   tree->utf8 = skipped > 0;
-  Builder builder(text, base, symbols, balance, *tree);
+  Builder builder(text, base, symbols, balance, runs, *tree);
   Input in(text.data() + skipped, text.data() + text.size(), "");
   try {
     const bool read = p::parse<rules::file, rules::on, control>(in, builder);
@@ -71,7 +73,7 @@ std::unique_ptr<const ast::Tree> parse(const SourceMap& sources, FileId file, Sy
     Diagnostic first = builder.diagnostic(f);
     const std::uint32_t line = sources.place(first.span.begin).line;
     diagnostics.report(std::move(first));
-    report_others(text, skipped, base, symbols, balance, sources, line, diagnostics);
+    report_others(text, skipped, base, symbols, balance, runs, sources, line, diagnostics);
     return nullptr;
   }
   std::sort(tree->flaws.begin(), tree->flaws.end(),

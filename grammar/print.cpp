@@ -162,6 +162,9 @@ class Printer {
       case ast::ItemKind::brackets: return group(tree_.groups[i.ref], '[', ']');
       case ast::ItemKind::directive:
         return std::visit([this](const auto& node) { write(node); }, tree_.directives[i.ref].node);
+      case ast::ItemKind::literals:
+        out_ += tree_.literals[i.ref].text;
+        return;
       case ast::ItemKind::punct: return mark(i.detail);
     }
   }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "grammar/balance.h"
+#include "grammar/literals.h"
 #include "grammar/tokens.h"
 
 namespace durer::grammar {
@@ -15,6 +16,7 @@ struct Scan {
   Loc base;
   Balance& balance;
   Diagnostics& diagnostics;
+  LiteralRuns& runs;
   std::string_view word;
   std::size_t errors = 0;
 
@@ -61,7 +63,16 @@ struct foreign_bytes    : p::plus<p::not_range<'\0', '\x7E'>> {};
 struct control_byte     : p::any {};
 
 struct lone_hash_mark   : p::one<'#'> {};
-struct lexeme           : p::sor<blank,
+struct scan_literals    : predicate<scan_literals> {
+  template <typename Input>
+  static bool test(Input& in, Scan& s) {
+    if (in.empty() || !may_begin_literal(in.peek_char())) return false;
+    const LiteralRun* run = s.runs.find(s.begin, in.current(), in.end());
+    if (run != nullptr) in.bump(run->text.size());
+    return run != nullptr;
+  }
+};
+struct lexeme           : p::sor<blank, scan_literals,
                                  p::seq<scan_number, p::opt<second_point>>,
                                  scan_name,
                                  other_mark, open_bracket, close_bracket,

@@ -15,7 +15,7 @@ constexpr double most_elements = 1e8;
 
 /// Makes room for the element that is to be assigned.
 void Interpreter::grow(Array& array, double subscript, Span span) {
-  const double at = std::trunc(subscript + epsilon);
+  const double at = std::floor(subscript + epsilon);
   if (!(at >= static_cast<double>(array.elements.size()))) return;
   if (at >= most_elements) {
     fail(Code::limit, span, "this array is too large", "arrays hold up to 100 million elements");
@@ -26,7 +26,7 @@ void Interpreter::grow(Array& array, double subscript, Span span) {
 
 /// One more size; `total` counts the elements.
 void Interpreter::add_size(Array& array, double written, std::size_t& total, Span span) {
-  const double v = std::trunc(written + epsilon);
+  const double v = std::floor(written + epsilon);
   if (!(v >= 1))
     fail(Code::out_of_range, span, fmt::format("an array cannot have {:g} elements", v));
   if (v * static_cast<double>(total) > most_elements) {

@@ -286,7 +286,7 @@ std::size_t Interpreter::flat_index(const Subscripts& list, const Array& array, 
                        list.size()));
     }
     const Subscript& s = list[used++];
-    const double v = std::trunc(s.value + epsilon);
+    const double v = std::floor(s.value + epsilon);
     if (!(v >= 0 && v < static_cast<double>(size))) {
       fail(Code::out_of_range, s.span,
            fmt::format("subscript {:g} is outside the array, which has {} elements here", v, size),

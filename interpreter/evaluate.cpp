@@ -31,10 +31,10 @@ double apply(ast::Op op, double a, double b) {
     case ast::Op::mul: return a * b;
     case ast::Op::div: return b == 0 ? std::numeric_limits<double>::infinity() : a / b;
     case ast::Op::lt: return truth(a < b);
-    case ast::Op::le: return truth(a < b || !(std::abs(a - b) > epsilon));
-    case ast::Op::eq: return truth(!(std::abs(a - b) > epsilon));  // true for NaN, as in the oracle
-    case ast::Op::ne: return truth(std::abs(a - b) > epsilon);
-    case ast::Op::ge: return truth(a > b || !(std::abs(a - b) > epsilon));
+    case ast::Op::le: return truth(a < b || nearly_equal(a, b));
+    case ast::Op::eq: return truth(nearly_equal(a, b));
+    case ast::Op::ne: return truth(!nearly_equal(a, b));
+    case ast::Op::ge: return truth(a > b || nearly_equal(a, b));
     case ast::Op::gt: return truth(a > b);
     case ast::Op::and_: return truth(std::abs(a) > epsilon && std::abs(b) > epsilon);
     case ast::Op::or_: return truth(std::abs(a) > epsilon || std::abs(b) > epsilon);

@@ -1,10 +1,9 @@
 // Includes (language §4.9).
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include <fmt/format.h>
 
+#include "base/read_file.h"
 #include "grammar/parse.h"
 #include "interpreter/interpreter.h"
 
@@ -26,13 +25,9 @@ const ast::Tree& Interpreter::load(const std::string& name, Span span) {
   std::error_code error;
   const std::string key = fs::weakly_canonical(*path, error).string();
   if (const auto it = trees_.find(key); it != trees_.end()) return *it->second;
-  std::ifstream in(*path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (!in) {
-    fail(Code::file_not_found, span, fmt::format("cannot read the file `{}`", *path));
-  }
-  const FileId file = sources_.add(*path, std::move(text).str());
+  std::optional<std::string> text = durer::read_file(*path);
+  if (!text) fail(Code::file_not_found, span, fmt::format("cannot read the file `{}`", *path));
+  const FileId file = sources_.add(*path, *std::move(text));
   auto tree = grammar::parse(sources_, file, symbols_, diagnostics_, true);
   if (!tree) {
     names_are_missing_ = true;

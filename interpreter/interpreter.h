@@ -57,6 +57,13 @@ class Interpreter {
   bool step_item(Token& token);
   bool step_end(Token& token);
   bool step_expansion(Token& token);
+  bool step_literals(Token& token);
+  void push_literals(const ast::Tree& tree, const ast::Item& item);
+  [[nodiscard]] Token literal_token(const double* v, int width, Span span);
+  [[nodiscard]] bool at_literals() const;
+  Frame* literals_ahead(int width);
+  template <typename Take>
+  std::size_t take_literals(Frame& frame, std::size_t most, Take&& take);
   void expand(const ast::Tree& tree, ast::ExprId id, bool flatten);
   void push_pieces(const ast::Tree& tree, ast::ExprId id, bool flatten);
   [[nodiscard]] bool needs_expansion(const ast::Tree& tree, ast::ExprId id,
@@ -284,6 +291,7 @@ class Interpreter {
   void check_not_function(Slot* slot, Span span);
   [[noreturn]] void function_stays(SymbolId name, Span span);
   std::vector<SymbolId> read_parameters();
+  functions::FunctionRef read_scene_function();
   Value read_internal_function(Span span);
   Value read_special_function(Span span);
   scene::Pigment read_pattern(const Token& word);
@@ -388,8 +396,10 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   scene::Object finish_mesh(std::uint32_t type, const Token& word, MeshBuilder& builder);
   template <typename Start, typename Read>
   void read_counted(std::string_view block, Start&& start, Read&& read);
+  template <typename Start, typename Take>
+  void read_vectors(int width, std::string_view block, Start&& start, Take&& take);
   dvec2 read_uv();
-  scene::Triple read_triple(std::size_t limit, std::string_view what);
+  scene::Triple to_triple(const double* v, std::size_t limit, std::string_view what, Span span);
   std::uint32_t to_index(double value, std::size_t limit, std::string_view what, Span span);
   scene::TextureId read_listed_texture();
   bool starts_float(const Token& token);
@@ -480,6 +490,8 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   std::vector<Piece> pieces_;
   std::vector<Slot*> arguments_;  // of macro calls whose scope is not open yet
   std::vector<Token> unread_;
+  ast::Tree literal_tree_;  // the last few elements of long lists, as expressions
+  std::uint32_t literal_slot_ = 0;
   std::size_t unread_base_ = 0;    // tokens below belong to an outer reader
   std::size_t declare_depth_ = 0;  // frames when the value of a #declare is being read
   std::size_t macro_depth_ = 0;

@@ -27,8 +27,40 @@ void prepare_list(std::vector<T>& list, std::size_t count) {
 
 // ---- lists of numbers --------------------------------------------------------------------------
 
-/// `{ n, item… }`: reads the count, calls start(n), then read(i) for every item. All items of a mesh
-/// come through here, one vector or number at a time.
+/// Takes up to `most` elements from the list, as take(components, place); returns how many.
+template <typename Take>
+std::size_t Interpreter::take_literals(Frame& frame, std::size_t most, Take&& take) {
+  const grammar::LiteralRun& run = frame.tree->literals[frame.node];
+  grammar::LiteralReader reader(run, frame.pos);
+  std::size_t taken = 0;
+  double v[5];
+  bool more = true;
+  while (taken < most && more) {
+    const auto at = static_cast<Loc>(frame.call.begin + reader.offset(run));
+    reader.read(v);
+    take(v, Span{at, 1});
+    ++taken;
+    more = reader.comma() && reader.offset(run) < run.text.size();
+  }
+  frame.pos = static_cast<std::uint32_t>(reader.offset(run));
+  return taken;
+}
+
+/// `{ n, <…>, <…> … }`: vectors of `width` components, each given to take(components, place). Long
+/// lists of literals come straight from the text.
+template <typename Start, typename Take>
+void Interpreter::read_vectors(int width, std::string_view block, Start&& start, Take&& take) {
+  read_counted(block, start, [&](std::size_t i, std::size_t count) -> std::size_t {
+    if (Frame* list = literals_ahead(width)) return take_literals(*list, count - i, take);
+    last_span_ = peek().span;
+    const Num n = fit(read_num(width), width);
+    take(n.v.data(), last_span_);
+    return 1;
+  });
+}
+
+/// `{ n, item… }`: reads the count, calls start(n), then read(i, n), which takes one item or more
+/// and returns how many, until there are n.
 template <typename Start, typename Read>
 void Interpreter::read_counted(std::string_view block, Start&& start, Read&& read) {
   const Span opened = peek().span;
@@ -40,9 +72,9 @@ void Interpreter::read_counted(std::string_view block, Start&& start, Read&& rea
   }
   const auto count = static_cast<std::size_t>(n);
   start(count);
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count;) {
     optional_comma();
-    if (peek().kind == Token::Kind::close || peek().kind == Token::Kind::end) {
+    if (!at_literals() && (peek().kind == Token::Kind::close || peek().kind == Token::Kind::end)) {
       Diagnostic d;
       d.code = Code::missing_argument;
       d.span = peek().span;
@@ -50,7 +82,7 @@ void Interpreter::read_counted(std::string_view block, Start&& start, Read&& rea
       d.labels.push_back({at, "the number of items"});
       fail(std::move(d));
     }
-    read(i);
+    i += read(i, count);
   }
   optional_comma();
   expect_close(block, opened);
@@ -62,13 +94,11 @@ dvec2 Interpreter::read_uv() {
   return {n.v[0], n.v[1]};
 }
 
-/// A vector of three indices, each below `limit`.
-scene::Triple Interpreter::read_triple(std::size_t limit, std::string_view what) {
-  const dvec3 v = read_vector();
+/// Three indices, each below `limit`.
+scene::Triple Interpreter::to_triple(const double* v, std::size_t limit, std::string_view what,
+                                     Span span) {
   scene::Triple triple{};
-  for (int i = 0; i < 3; ++i) {
-    triple[static_cast<std::size_t>(i)] = to_index(v[i], limit, what, last_span_);
-  }
+  for (std::size_t i = 0; i < 3; ++i) triple[i] = to_index(v[i], limit, what, span);
   return triple;
 }
 
@@ -118,22 +148,27 @@ void Interpreter::read_mesh2_vectors(MeshBuilder& builder, const Token& word) {
     if (t.is(w::vertex_vectors)) {
       next();
       again(t, !mesh.vertices.empty());
-      read_counted("vertex_vectors", [&](std::size_t n) { prepare_list(mesh.vertices, n); },
-                   [&](std::size_t) { mesh.vertices.push_back(vec3(read_vector())); });
+      read_vectors(3, "vertex_vectors", [&](std::size_t n) { prepare_list(mesh.vertices, n); },
+                   [&](const double* v, Span) { mesh.vertices.push_back(vec3(v[0], v[1], v[2])); });
     } else if (t.is(w::normal_vectors)) {
       next();
       again(t, !mesh.normals.empty());
-      read_counted("normal_vectors", [&](std::size_t n) { prepare_list(mesh.normals, n); },
-                   [&](std::size_t) { mesh.normals.push_back(builder.unit(read_vector())); });
+      read_vectors(3, "normal_vectors", [&](std::size_t n) { prepare_list(mesh.normals, n); },
+                   [&](const double* v, Span) {
+                     mesh.normals.push_back(builder.unit({v[0], v[1], v[2]}));
+                   });
     } else if (t.is(w::uv_vectors)) {
       next();
       again(t, !mesh.uvs.empty());
-      read_counted("uv_vectors", [&](std::size_t n) { prepare_list(mesh.uvs, n); },
-                   [&](std::size_t) { mesh.uvs.push_back(glm::vec2(read_uv())); });
+      read_vectors(2, "uv_vectors", [&](std::size_t n) { prepare_list(mesh.uvs, n); },
+                   [&](const double* v, Span) { mesh.uvs.push_back(glm::vec2(v[0], v[1])); });
     } else if (t.is(w::texture_list)) {
       next();
       read_counted("texture_list", [&](std::size_t n) { prepare_list(mesh.textures, n); },
-                   [&](std::size_t) { mesh.textures.push_back(read_listed_texture()); });
+                   [&](std::size_t, std::size_t) {
+                     mesh.textures.push_back(read_listed_texture());
+                     return std::size_t{1};
+                   });
       break;  // it is the last (objects §11.6)
     } else if (t.is_punct(',') || t.is_punct(';')) {
       next();
@@ -168,9 +203,18 @@ void Interpreter::read_mesh2_faces(MeshBuilder& builder, const Token& word) {
     if (n == 0) fail(Code::out_of_range, word.span, "this `mesh2` has no faces");
     prepare_list(mesh.faces, n);
   };
-  read_counted("face_indices", start, [&](std::size_t face) {
-    mesh.faces.push_back(read_triple(mesh.vertices.size(), "vertex"));
-    if (!mesh.textures.empty()) read_mesh2_textures(builder, face);
+  const auto add = [&](const double* v, Span at) {
+    mesh.faces.push_back(to_triple(v, mesh.vertices.size(), "vertex", at));
+  };
+  if (mesh.textures.empty()) {
+    read_vectors(3, "face_indices", start, add);
+    return;
+  }
+  read_counted("face_indices", start, [&](std::size_t face, std::size_t) {
+    const dvec3 v = read_vector();
+    add(&v.x, last_span_);
+    read_mesh2_textures(builder, face);
+    return std::size_t{1};
   });
 }
 
@@ -212,8 +256,8 @@ void Interpreter::read_mesh2_indices(MeshBuilder& builder, const Token& word) {
       }
       prepare_list(list, n);
     };
-    read_counted(name_of(t.word), start, [&](std::size_t) {
-      list.push_back(read_triple(limit, uvs ? "uv vector" : "normal"));
+    read_vectors(3, name_of(t.word), start, [&](const double* v, Span at) {
+      list.push_back(to_triple(v, limit, uvs ? "uv vector" : "normal", at));
     });
     optional_comma();
   }

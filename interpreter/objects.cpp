@@ -55,6 +55,11 @@ bool is_known_object(SymbolId word) {
   }
 }
 
+/// "the centre" for "centre" and for "the centre".
+std::string with_article(std::string_view doc) {
+  return doc.starts_with("the ") ? std::string(doc) : fmt::format("the {}", doc);
+}
+
 }  // namespace
 
 bool Interpreter::starts_object(const Token& t) const {
@@ -187,7 +192,8 @@ std::vector<double> Interpreter::read_operands(const scene::TypeInfo& info, cons
       d.code = Code::missing_argument;
       d.span = t.span;
       d.message =
-          fmt::format("expected the {} of this `{}`, found {}", p.doc, info.name, describe(t));
+          fmt::format("expected {} of this `{}`, found {}", with_article(p.doc), info.name,
+                      describe(t));
       d.labels.push_back({word.span, "in this block"});
       fail(std::move(d));
     }

@@ -33,7 +33,7 @@ void Interpreter::optional_comma() { accept_raw_comma_or_peek(); }
 /// Takes a comma if one follows. Nothing is executed to find out when the next item tells.
 void Interpreter::accept_raw_comma_or_peek() {
   if (Frame& f = frames_.back();
-      unread_.size() <= unread_base_ && f.kind != Frame::Kind::expansion && f.pos < f.end) {
+      unread_.size() <= unread_base_ && f.has_items() && f.pos < f.end) {
     const ast::Item& item = f.tree->items[f.pos];
     if (item.kind == ast::ItemKind::punct && item.detail == ',') {
       ++f.pos;
@@ -196,7 +196,8 @@ bool ends_expression(const Frame& f, std::uint32_t pos, bool full) {
     case ast::ItemKind::word:
     case ast::ItemKind::braces:
     case ast::ItemKind::brackets: return true;
-    case ast::ItemKind::directive: return false;
+    case ast::ItemKind::directive:
+    case ast::ItemKind::literals: return false;
     case ast::ItemKind::expr: return leading_sign(*f.tree, item.ref) == nullptr;
     case ast::ItemKind::punct:
       return !is_operator(item.detail) && item.detail != '.' &&
@@ -210,7 +211,7 @@ bool ends_expression(const Frame& f, std::uint32_t pos, bool full) {
 /// nothing that could continue it follows. Takes it and says which; `none` otherwise.
 ast::ExprId Interpreter::take_plain(const ast::Tree*& tree, bool full) {
   Frame& f = frames_.back();
-  if (f.kind == Frame::Kind::expansion || f.flatten) return ast::none;
+  if (!f.has_items() || f.flatten) return ast::none;
   if (unread_.size() > unread_base_) {
     // It has been looked at already: then it stands before what the frame delivers next.
     const Token& seen = unread_.back();
@@ -243,7 +244,7 @@ bool Interpreter::at_operator() {
   Token t = raw_next();
   if (t.kind == Token::Kind::end) {
     const Frame& f = frames_.back();
-    const bool items_left = f.kind != Frame::Kind::expansion && f.pos < f.end;
+    const bool items_left = f.has_items() && f.pos < f.end;
     if (f.kind == Frame::Kind::barrier && !items_left) return false;
     if (in_declared_value()) {
       leave_ended_frames();

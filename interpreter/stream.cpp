@@ -51,6 +51,13 @@ Token Interpreter::raw_next() const {
   if (unread_.size() > unread_base_) return unread_.back();
   const Frame& f = frames_.back();
   Token t;
+  if (f.kind == Frame::Kind::literals) {
+    if (f.at_comma) {
+      t.kind = Token::Kind::punct;
+      t.punct = ',';
+    }
+    return t;
+  }
   if (f.kind == Frame::Kind::expansion) {
     if (pieces_.size() > f.pieces && pieces_.back().expr == ast::none && !pieces_.back().is_word) {
       t.kind = Token::Kind::punct;
@@ -88,6 +95,7 @@ Token Interpreter::raw_next() const {
         t.expr = item.ref;
       }
       break;
+    case ast::ItemKind::literals:
     case ast::ItemKind::directive: break;
   }
   return t;
@@ -131,6 +139,7 @@ void Interpreter::pop() {
 bool Interpreter::step(Token& token) {
   const Frame& f = frames_.back();
   if (f.kind == Frame::Kind::expansion) return step_expansion(token);
+  if (f.kind == Frame::Kind::literals) return step_literals(token);
   return f.pos < f.end ? step_item(token) : step_end(token);
 }
 
@@ -172,6 +181,7 @@ bool Interpreter::step_item(Token& token) {
       return true;
     }
     case ast::ItemKind::directive: execute(tree, item); return false;
+    case ast::ItemKind::literals: push_literals(tree, item); return false;
     case ast::ItemKind::expr:
       if (f.flatten || needs_expansion(tree, item.ref)) {
         if (is_macro_call(tree, item.ref)) {
@@ -226,6 +236,7 @@ bool Interpreter::step_end(Token& token) {
     }
     case Frame::Kind::macro:
     case Frame::Kind::branch:
+    case Frame::Kind::literals:
     case Frame::Kind::expansion: pop(); return false;
   }
   return false;

@@ -56,10 +56,12 @@ struct Frame {
     group,      // { … } or [ … ]: delivers its closing mark at the end
     barrier,    // a delimited part read by a nested reader: delivers `end`
     expansion,  // an expression spelled out operand by operand
+    literals,   // a long list of literals: `pos` and `end` are offsets in its text
   };
   Kind kind = Kind::branch;
   bool flatten = false;   // spell out every expression: operators stand next to this part
   bool brackets = false;  // group: which closing mark
+  bool at_comma = false;  // literals: an element has been read
   const ast::Tree* tree = nullptr;
   std::uint32_t first = 0;  // items: the whole range, for loops
   std::uint32_t pos = 0;    // items: next
@@ -73,6 +75,11 @@ struct Frame {
   SymbolId name = 0;           // macro: its name
   scene::OriginId origin = 0;  // macro, file: origin of the call, made when first needed
   bool has_origin = false;
+
+  /// `pos` to `end` are items of the tree.
+  [[nodiscard]] bool has_items() const {
+    return kind != Kind::expansion && kind != Kind::literals;
+  }
 };
 
 /// Part of an expression that is still to be delivered.

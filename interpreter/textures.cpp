@@ -335,6 +335,7 @@ void Interpreter::start_pattern(scene::Pigment& p, std::uint32_t index, const To
   }
   if (info.list_size > 0) read_colour_list(p, info);
   p.args = read_operands(info, word);
+  p.function = info.takes_function ? read_scene_function() : nullptr;
   if (info.list_size == 0) {
     for (const scene::MapEntry& e : info.default_map)
       p.entries.push_back({e.key, e.colour, scene::none});

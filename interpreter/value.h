@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -23,6 +24,10 @@ class Spline;
 }
 
 namespace durer::interpreter {
+
+/// `=` of the language: the tolerance is absolute, and NaN equals everything, as in the oracle
+/// (language §2.5).
+[[nodiscard]] inline bool nearly_equal(double a, double b) { return !(std::abs(a - b) > epsilon); }
 
 /// One to five components: float, uv-vector, vector, four-vector, colour (language §2.1).
 ///

@@ -9,6 +9,7 @@
 #include "base/boxed.h"
 #include "base/colour.h"
 #include "base/transform.h"
+#include "functions/tape.h"
 #include "scene/origin.h"
 #include "scene/type_info.h"
 
@@ -32,6 +33,7 @@ struct PigmentEntry {
 struct Pigment {
   std::uint32_t pattern = none;  // index into Registry::patterns
   std::vector<double> args;      // the pattern's operands, laid out by its Params
+  functions::FunctionRef function;  // of x, y, z; what the pattern `function` evaluates
   Colour colour;
   std::vector<PigmentEntry> entries;  // in written order, never sorted (textures §11.1)
   std::vector<Pigment> children;

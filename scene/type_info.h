@@ -71,6 +71,7 @@ struct PatternInfo : TypeInfo {
   int list_size = 0;
   /// Entries used where none are written: colours of a list at keys 0, 1, 2…, or a default map.
   std::span<const MapEntry> default_map;
+  bool takes_function = false;  // `{ … }` of x, y, z follows its name
 };
 
 /// Everything the interpreter may bind, in the order of the registration lists; indices into these

@@ -69,7 +69,7 @@ GeometryScratchPtr Geometry::make_scratch() const {
 
 bool Geometry::closest(const Ray& ray, double t_from, double t_to, RayKind kind, Hit& hit,
                        GeometryScratch& scratch) const {
-  RayQuery query{ray, t_from, t_to, mask_of(kind), {}, &state_->parts, &scratch.sweep};
+  RayQuery query{ray, t_from, t_to, mask_of(kind), {}, &state_->parts, &scratch.sweep, false};
   state_->accel->closest(query);
   const Found& found = query.found;
   if (found.store == nullptr) return false;
@@ -92,7 +92,7 @@ TextureBlend Geometry::part_textures(const Hit& hit) {
 bool Geometry::occluded(const Ray& ray, double t_from, double t_to,
                         GeometryScratch& scratch) const {
   const double after = t_from * (1 + std::numeric_limits<double>::epsilon());
-  RayQuery query{ray, after, t_to, blocks_light, {}, &state_->parts, &scratch.sweep};
+  RayQuery query{ray, after, t_to, blocks_light, {}, &state_->parts, &scratch.sweep, true};
   return state_->accel->any(query);
 }
 

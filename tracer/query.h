@@ -29,6 +29,7 @@ struct RayQuery {
   Found found{};
   const Parts* parts = nullptr;
   SweepState* sweep = nullptr;
+  bool any = false;  // one hit is as good as any other
 };
 
 /// True if the bounds of a gated leaf let the ray through (csg/gate.cpp).

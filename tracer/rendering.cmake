@@ -11,7 +11,7 @@ durer_library(tracer
     lights/light.cpp
     transport/light.cpp transport/surface.cpp transport/trace.cpp
     film/antialias.cpp film/jitter.cpp film/progress.cpp film/render.cpp
-  LINKS durer::geometry durer::scene
+  LINKS durer::functions durer::geometry durer::scene
   PRIVATE_LINKS TBB::tbb fmt::fmt)
 if(TARGET durer::image)
   target_link_libraries(durer_tracer PUBLIC durer::image)

@@ -31,11 +31,20 @@ std::vector<Transform> placements() {
           skewed.then(Transform::translate({100, 0, -1}))};
 }
 
+std::vector<scene::Object> samples_of(const PrimitiveType& type) {
+  std::vector<scene::Object> objects;
+  for (auto& args : type.samples()) objects.emplace_back().args = std::move(args);
+  if (type.sample_meshes != nullptr) {
+    for (auto& mesh : type.sample_meshes()) objects.emplace_back().mesh = std::move(mesh);
+  }
+  return objects;
+}
+
 /// One placed sample with whatever the checks ask of it.
 class Subject {
  public:
-  Subject(const PrimitiveType& type, const std::vector<double>& args, const Transform& to_world)
-      : stores_(type.make_stores()), ref_(type.place(stores_, args, to_world, false)) {
+  Subject(const PrimitiveType& type, const scene::Object& object, const Transform& to_world)
+      : stores_(type.make_stores()), ref_(place_object(type, stores_, object, to_world, false)) {
     if (!ref_) return;
     const Bounds3 box = surface_box();
     const bool endless = box.infinite();
@@ -69,7 +78,7 @@ class Subject {
   }
   [[nodiscard]] RayQuery nearest(const Ray& ray, double t_from, double t_to) const {
     ref_->store->tags[ref_->shape] = {0, seen_by_image, false};
-    RayQuery query{ray, t_from, t_to, seen_by_image, {}, nullptr, nullptr};
+    RayQuery query{ray, t_from, t_to, seen_by_image, {}, nullptr, nullptr, false};
     store().nearest(store(), ref_->shape, query);
     return query;
   }
@@ -97,10 +106,10 @@ template <typename Check>
 void for_every_subject(Check&& check) {
   for (const PrimitiveType* type : primitive_types()) {
     CAPTURE(type->name);
-    const auto samples = type->samples();
-    if (type->place_mesh != nullptr) continue;  // tests/unit/tracer_geometry/mesh.cpp
+    const auto samples = samples_of(*type);
     REQUIRE(samples.size() >= 2);
-    for (const auto& args : samples) {
+    for (const scene::Object& sample : samples) {
+      const std::vector<double>& args = sample.args;
       CAPTURE(args);
       REQUIRE(
           (type->open_ended ? args.size() >= type->arg_count() : args.size() == type->arg_count()));
@@ -108,7 +117,7 @@ void for_every_subject(Check&& check) {
       const auto all = placements();
       for (std::size_t i = 0; i < all.size(); ++i) {
         CAPTURE(i);
-        const Subject subject(*type, args, all[i]);
+        const Subject subject(*type, sample, all[i]);
         REQUIRE(subject.exists());
         Random random(i + 1);
         check(subject, random);
@@ -126,7 +135,7 @@ TEST_CASE("primitives: every type is described", "[conformance]") {
   for (const PrimitiveType* type : primitive_types()) {
     CAPTURE(type->name);
     CHECK_FALSE(type->doc.empty());
-    CHECK_FALSE(type->params.empty());
+    CHECK(type->params.empty() == (type->place_mesh != nullptr));
     for (const scene::Param& p : type->params) CHECK_FALSE(p.doc.empty());
     names.push_back(type->name);
   }
@@ -221,11 +230,11 @@ TEST_CASE("primitives: the nearest hit is the first visible crossing", "[conform
 
 TEST_CASE("primitives: moving object and ray together changes nothing", "[conformance]") {
   for (const PrimitiveType* type : primitive_types()) {
-    for (const auto& args : type->samples()) {
-      const Subject still(*type, args, {});
+    for (const scene::Object& sample : samples_of(*type)) {
+      const Subject still(*type, sample, {});
       for (const Transform& placement : placements()) {
-        const Subject moved(*type, args, placement);
-        CAPTURE(type->name, args);
+        const Subject moved(*type, sample, placement);
+        CAPTURE(type->name, sample.args);
         Random random(5);
         int differ = 0;
         for (int i = 0; i < ray_count; ++i) {

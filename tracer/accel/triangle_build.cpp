@@ -10,6 +10,9 @@
 namespace durer::tracer {
 namespace {
 
+/// Beyond any depth that a ray can see, and within what the builder can count with.
+constexpr double farthest = 1e15;
+
 /// A node or leaf as the builder makes it.
 struct Made {
   std::uint32_t count = 0;  // of children or triangles
@@ -99,7 +102,8 @@ class TriangleTreeBuilder {
   }
 
  private:
-  // The oracle never hits triangles without area (objects §11.6).
+  // The oracle never hits triangles without area (objects §11.6). Those that leave the range of
+  // single precision have none either, as far as anyone could see.
   std::vector<RTCBuildPrimitive> triangles_with_area() {
     std::vector<RTCBuildPrimitive> triangles;
     triangles.reserve(mesh_.faces.size());
@@ -110,6 +114,8 @@ class TriangleTreeBuilder {
       if (glm::cross(b - a, c - a) == dvec3(0.0)) continue;
       Bounds3 box;
       for (const dvec3 p : {a, b, c}) box.add(p);
+      const dvec3 most = glm::max(glm::abs(box.lo), glm::abs(box.hi));
+      if (!(most.x < farthest && most.y < farthest && most.z < farthest)) continue;
       tree_.bounds_.add(box);
       RTCBuildPrimitive t{};
       t.lower_x = static_cast<float>(box.lo.x), t.upper_x = static_cast<float>(box.hi.x);

@@ -150,7 +150,7 @@ bool plane_depth(const TriangleTree::Block& block, std::size_t lane, const Ray& 
 }
 
 /// Calls leaf(block) for the leaves that the ray may meet in t_from…t_to, the nearest first; it
-/// returns the new t_to.
+/// returns the new t_to, or less than t_from to end the walk.
 template <typename Leaf>
 DURER_INLINE void walk(const TriangleTree& tree, const Ray& ray, double t_from, double t_to,
                        Leaf&& leaf) {
@@ -168,6 +168,7 @@ DURER_INLINE void walk(const TriangleTree& tree, const Ray& ray, double t_from, 
       continue;
     }
     t_to = leaf(tree.blocks_[next.child & ~TriangleTree::leaf_mark]);
+    if (t_to < t_from) return;
     limit = box_ray.depth(t_to) + tree.pad_;
   }
 }
@@ -192,6 +193,21 @@ DURER_INLINE std::optional<TriangleTree::Hit> nearest_in(const TriangleTree& tre
   return best;
 }
 
+DURER_INLINE std::optional<TriangleTree::Hit> any_in(const TriangleTree& tree, const Ray& ray,
+                                                     double t_from, double t_to) {
+  std::optional<TriangleTree::Hit> found;
+  const ShearedRay sheared(ray);
+  walk(tree, ray, t_from, t_to, [&](const TriangleTree::Block& block) DURER_LAMBDA_INLINE {
+    pierce(block, sheared, [&](std::size_t lane) {
+      double t;
+      if (!plane_depth(block, lane, ray, t) || !(t >= t_from && t < t_to)) return;
+      found = TriangleTree::Hit{t, block.face[lane]};
+    });
+    return found ? t_from - 1 : t_to;
+  });
+  return found;
+}
+
 DURER_INLINE void all_in(const TriangleTree& tree, const Ray& ray, double t_from, double t_to,
                          std::vector<TriangleTree::Hit>& out) {
   const ShearedRay sheared(ray);
@@ -212,6 +228,10 @@ DURER_WIDE std::optional<TriangleTree::Hit> nearest_wide(const TriangleTree& tre
                                                          double t_from, double t_to) {
   return nearest_in(tree, ray, t_from, t_to);
 }
+DURER_WIDE std::optional<TriangleTree::Hit> any_wide(const TriangleTree& tree, const Ray& ray,
+                                                     double t_from, double t_to) {
+  return any_in(tree, ray, t_from, t_to);
+}
 DURER_WIDE void all_wide(const TriangleTree& tree, const Ray& ray, double t_from, double t_to,
                          std::vector<TriangleTree::Hit>& out) {
   all_in(tree, ray, t_from, t_to, out);
@@ -227,6 +247,14 @@ std::optional<TriangleTree::Hit> TriangleTree::nearest(const Ray& ray, double t_
   if (has_wide) return nearest_wide(*this, ray, t_from, t_to);
 #endif
   return nearest_in(*this, ray, t_from, t_to);
+}
+
+std::optional<TriangleTree::Hit> TriangleTree::any(const Ray& ray, double t_from,
+                                                   double t_to) const {
+#if defined(__x86_64__)
+  if (has_wide) return any_wide(*this, ray, t_from, t_to);
+#endif
+  return any_in(*this, ray, t_from, t_to);
 }
 
 void TriangleTree::all(const Ray& ray, double t_from, double t_to, std::vector<Hit>& out) const {

@@ -25,6 +25,9 @@ class TriangleTree {
   /// The first hit in t_from <= t < t_to; of equal ones, that of the lower face.
   [[nodiscard]] std::optional<Hit> nearest(const Ray& ray, double t_from, double t_to) const;
 
+  /// Some hit in t_from <= t < t_to.
+  [[nodiscard]] std::optional<Hit> any(const Ray& ray, double t_from, double t_to) const;
+
   /// Appends all hits in t_from <= t < t_to, in any order. A line through an edge hits both faces.
   void all(const Ray& ray, double t_from, double t_to, std::vector<Hit>& out) const;
 

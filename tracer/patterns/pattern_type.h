@@ -135,6 +135,7 @@ struct PatternTraits {
   scene::Wave wave = scene::Wave::ramp;
   int list_size = 0;
   std::span<const scene::MapEntry> default_map;
+  bool takes_function = false;
 };
 
 /// Describes the pattern P: default members, `operands` (optional), `samples`, an optional
@@ -151,6 +152,7 @@ constexpr PatternType describe_pattern(std::string_view name, std::string_view d
   type.wave = traits.wave;
   type.list_size = traits.list_size;
   type.default_map = traits.default_map;
+  type.takes_function = traits.takes_function;
   type.prepare = &detail::prepare<P>;
   type.evaluate = &detail::evaluate<P>;
   type.samples = P::samples;

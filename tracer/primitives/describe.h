@@ -27,6 +27,8 @@ struct PrimitiveType : scene::TypeInfo {
   std::optional<ShapeRef> (*place_mesh)(TypeStores& stores,
                                         const std::shared_ptr<const scene::Mesh>& mesh,
                                         const Transform& to_world, bool inverted) = nullptr;
+  /// Typical and odd examples of those, for the conformance suite.
+  std::vector<std::shared_ptr<const scene::Mesh>> (*sample_meshes)() = nullptr;
   /// Operands of typical and odd examples, for the conformance suite.
   std::vector<std::vector<double>> (*samples)() = nullptr;
 };

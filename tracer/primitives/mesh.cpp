@@ -4,6 +4,15 @@
 namespace durer::tracer {
 namespace {
 
+/// Four faces, all turned the same way.
+std::shared_ptr<const scene::Mesh> tetrahedron(dvec3 inside_vector) {
+  auto mesh = std::make_shared<scene::Mesh>();
+  mesh->vertices = {{0, 1, 0}, {-1, -0.5F, -0.6F}, {1, -0.5F, -0.6F}, {0.1F, -0.5F, 1.1F}};
+  mesh->faces = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+  mesh->inside_vector = inside_vector;
+  return mesh;
+}
+
 // `mesh` and `mesh2` (objects §11.5, §11.6). Their operands are not numbers but a scene::Mesh, so
 // this type is described by hand.
 constexpr PrimitiveType mesh_type() {
@@ -18,6 +27,9 @@ constexpr PrimitiveType mesh_type() {
     // Without an inside there is nothing that could be inverted (objects §8.5).
     return place_shape(stores, MeshShape(shared_mesh_data(mesh), to_world), to_world,
                        inverted && mesh->has_inside());
+  };
+  type.sample_meshes = [] {
+    return std::vector{tetrahedron({0.1, 1, 0.2}), tetrahedron(dvec3(0.0))};
   };
   type.samples = [] { return std::vector<std::vector<double>>{}; };
   return type;

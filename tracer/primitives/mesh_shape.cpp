@@ -87,6 +87,13 @@ std::optional<Nearest> MeshShape::nearest(const Ray& ray, double t_from, double 
   return Nearest{hit->t, hit->face};
 }
 
+std::optional<Nearest> MeshShape::any(const Ray& ray, double t_from, double t_to) const {
+  const DepthRange range = within_reach(ray, t_from, t_to);
+  const auto hit = data_->tree.any(ray, range.from, range.to);
+  if (!hit) return std::nullopt;
+  return Nearest{hit->t, hit->face};
+}
+
 Bounds3 MeshShape::inside_bounds() const {
   const bool endless = data_->mesh->has_inside() && !data_->closed;
   return endless ? Bounds3::everything() : bounds();

@@ -34,6 +34,7 @@ class MeshShape {
   [[nodiscard]] dvec3 normal(dvec3 p, std::uint32_t face) const;
   void crossings(const Ray& ray, Crossings& out) const;
   [[nodiscard]] std::optional<Nearest> nearest(const Ray& ray, double t_from, double t_to) const;
+  [[nodiscard]] std::optional<Nearest> any(const Ray& ray, double t_from, double t_to) const;
   [[nodiscard]] dvec2 uv(dvec3 p, std::uint32_t face) const;
   [[nodiscard]] TextureBlend textures(dvec3 p, std::uint32_t face) const;
 

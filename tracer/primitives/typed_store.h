@@ -10,6 +10,7 @@
 //   std::optional<Shape> moved(const Transform&) const;   the shape in another space, if it has one
 //   Shape flipped() const;                                the inverse, if it is such a shape too
 //   … nearest_of_unit(same as nearest) const;             faster where |d| = 1
+//   … any(same as nearest) const;                         some hit in the range, if that is faster
 //   dvec2 uv(dvec3 p, std::uint32_t part) const;          surface coordinates (objects §14)
 //   TextureBlend textures(dvec3 p, std::uint32_t part) const;   looks of single parts
 //   static constexpr bool convex = true;
@@ -84,6 +85,11 @@ struct Placed {
 
   [[nodiscard]] std::optional<Nearest> nearest(const Ray& ray, double t_from, double t_to) const {
     return shape.nearest(to_object(ray), t_from, t_to);
+  }
+  [[nodiscard]] std::optional<Nearest> any(const Ray& ray, double t_from, double t_to) const
+    requires requires { shape.any(ray, t_from, t_to); }
+  {
+    return shape.any(to_object(ray), t_from, t_to);
   }
   [[nodiscard]] Ray to_object(const Ray& ray) const {
     return {to_shape.point(ray.o), to_shape.vector(ray.d)};
@@ -166,13 +172,20 @@ class TypedStore final : public Store {
     const Item& item = self.items_[index];
     double t_to = query.t_to;
     if constexpr (requires { S::far; }) t_to = t_to < S::far ? t_to : S::far;
-    const std::optional<Nearest> hit = item.nearest(query.ray, query.t_from, t_to);
+    const std::optional<Nearest> hit = ask(item, query, t_to);
     if (!hit) return;
     const Tag& tag = self.tags[index];
     if ((tag.mask & query.mask) == 0) return;
     if (tag.gated && !gates_open(tag.leaf, query)) return;
     query.t_to = hit->t;
     query.found = {&self, index, tag.leaf, hit->part};
+  }
+
+  static std::optional<Nearest> ask(const Item& item, const RayQuery& query, double t_to) {
+    if constexpr (requires { item.any(query.ray, query.t_from, t_to); }) {
+      if (query.any) return item.any(query.ray, query.t_from, t_to);
+    }
+    return item.nearest(query.ray, query.t_from, t_to);
   }
 
   std::vector<Item> items_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tracer/patterns/function.h"
 #include "tracer/patterns/patterns.h"
 
 namespace durer::tracer {
@@ -27,9 +28,14 @@ dvec3 clamp_point(dvec3 p) {
   return p;
 }
 
-Colour mix(const Colour& a, const Colour& b, float t) {
-  return {a.rgb + t * (b.rgb - a.rgb), a.filter + t * (b.filter - a.filter),
-          a.transmit + t * (b.transmit - a.transmit)};
+// Weights are double, differences and what is added are float: these are the oracle's last bits.
+Colour mix(const Colour& a, const Colour& b, double t) {
+  const auto between = [t](float from, float to) {
+    return from + static_cast<float>(t * static_cast<double>(to - from));
+  };
+  return {{between(a.rgb.x, b.rgb.x), between(a.rgb.y, b.rgb.y), between(a.rgb.z, b.rgb.z)},
+          between(a.filter, b.filter),
+          between(a.transmit, b.transmit)};
 }
 
 bool opaque_colour(const Colour& c) { return c.filter == 0 && c.transmit == 0; }
@@ -65,6 +71,10 @@ PigmentId PigmentStore::add(const scene::Pigment& pigment, const Transform& to_w
   }
   node.pattern = pattern_types()[pigment.pattern];
   node.pattern->prepare(pigment.args, node.state);
+  if (pigment.function) {
+    patterns::bind_function(node.state, *pigment.function, 2);
+    functions_.push_back(pigment.function);
+  }
   node.moved = !placed.is_identity();
   node.to_pattern = placed.backward;
   node.wave = pigment.wave;
@@ -108,7 +118,7 @@ Colour PigmentStore::select(const Node& node, double value, dvec3 p) const {
   while (value > upper->key) lower = upper++;
   if (value == upper->key || lower == upper) return entry_colour(*upper, p);
   const double span = static_cast<double>(upper->key) - lower->key;
-  const auto t = static_cast<float>((value - lower->key) / span);
+  const double t = (value - lower->key) / span;
   return mix(entry_colour(*lower, p), entry_colour(*upper, p), t);
 }
 

@@ -55,6 +55,7 @@ class PigmentStore {
 
   std::vector<Node> nodes_;
   std::vector<Entry> entries_;
+  std::vector<functions::FunctionRef> functions_;  // that nodes point to
 };
 
 /// The wave form that shapes a pattern's value, 0…1 (textures §3, step 5).

@@ -23,6 +23,10 @@ struct analyze_traits<Name, rules::predicate<rules::operand_word>> : analyze_any
 template <typename Name>
 struct analyze_traits<Name, rules::predicate<rules::stray_bracket>> : analyze_any_traits<> {};
 template <typename Name>
+struct analyze_traits<Name, rules::predicate<rules::scan_literals>> : analyze_any_traits<> {};
+template <typename Name>
+struct analyze_traits<Name, rules::predicate<rules::literals_item>> : analyze_any_traits<> {};
+template <typename Name>
 struct analyze_traits<Name, rules::block_comment> : analyze_any_traits<> {};
 template <typename Name, typename Rule>
 struct analyze_traits<Name, rules::deeper<Rule>> : analyze_seq_traits<Rule> {};

@@ -84,6 +84,7 @@ class Dumper {
       case ast::ItemKind::word: return fmt::format(":{}", name(i.ref));
       case ast::ItemKind::braces: return fmt::format("{{{}}}", items(t_.groups[i.ref].items));
       case ast::ItemKind::brackets: return fmt::format("[{}]", items(t_.groups[i.ref].items));
+      case ast::ItemKind::literals: return fmt::format("literals({})", t_.literals[i.ref].text);
       case ast::ItemKind::punct: return fmt::format("'{}'", i.detail);
       case ast::ItemKind::directive:
         return std::visit([this](const auto& n) { return show(n); }, t_.directives[i.ref].node);

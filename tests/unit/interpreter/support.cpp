@@ -36,7 +36,9 @@ constexpr scene::PatternInfo checker = {
     {"checker", "Cubes.", {}}, scene::Wave::ramp, 2, checker_map};
 constexpr scene::PatternInfo gradient = {
     {"gradient", "Bands.", gradient_params}, scene::Wave::ramp, 0, grey_map};
-constexpr std::array<const scene::PatternInfo*, 2> patterns = {&checker, &gradient};
+constexpr scene::PatternInfo function = {
+    {"function", "The value of a function.", {}}, scene::Wave::ramp, 0, grey_map, true};
+constexpr std::array<const scene::PatternInfo*, 3> patterns = {&checker, &gradient, &function};
 
 }  // namespace
 

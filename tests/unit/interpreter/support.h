@@ -1,4 +1,4 @@
-// Runs small scenes against a fake registry of three primitives and two patterns.
+// Runs small scenes against a fake registry of three primitives and three patterns.
 #pragma once
 
 #include <map>

@@ -1,8 +1,10 @@
 // Functions of the user in scenes (language §6). What a body computes to the last bit is tested in
 // tests/unit/functions; here is what surrounds it. Values are the oracle's.
+#include <array>
 #include <fstream>
 #include <sstream>
 
+#include "functions/evaluate.h"
 #include "tests/support/catch.h"
 #include "tests/unit/interpreter/support.h"
 
@@ -162,6 +164,23 @@ TEST_CASE("functions: transforms, splines, patterns and pigments", "[interpreter
         "4.500");
   CHECK(value(pigment + "#macro M() f(x,y,z) #end #declare g = function { 1+M().green }",
               "g(1,2,3)") == "3.000");
+}
+
+TEST_CASE("functions: pigments hold the tapes of their patterns", "[interpreter][functions]") {
+  const Run r =
+      run("#declare A = 2; #declare P = pigment { function { A*x+y } scale 3 } #declare A = 5; "
+          "sphere { 0, 1 pigment { P } } sphere { 0, 1 pigment { P gradient x } }");
+  REQUIRE(r.scene);
+  const auto pigment = [&](std::size_t i) -> scene::Pigment {
+    const scene::Object& o = r.scene->objects[r.scene->roots[i].object];
+    return r.scene->textures[o.texture.texture].layers[0].pigment.get();
+  };
+  REQUIRE(pigment(0).function);
+  functions::Workspace w;
+  CHECK(functions::evaluate(*pigment(0).function, std::array{1.0, 2.0, 3.0}, w) == 4);
+  CHECK_FALSE(pigment(1).function);
+  CHECK(error("#declare P = pigment { function { internal(57) } }") ==
+        "`internal` must be the whole body of a function");
 }
 
 TEST_CASE("functions: mistakes in bodies are named", "[interpreter][functions]") {

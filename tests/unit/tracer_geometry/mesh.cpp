@@ -1,5 +1,7 @@
 // Meshes: the tree against a loop over all triangles, no cracks, insides, shared data.
+#include <cmath>
 #include <glm/common.hpp>
+#include <limits>
 
 #include "tests/unit/tracer_geometry/scenes.h"
 #include "tracer/accel/triangle_tree.h"
@@ -97,6 +99,8 @@ TEST_CASE("triangle tree: finds what a loop over all triangles finds", "[tracer]
         CHECK(found->t == Approx(expected->t).epsilon(1e-12));
         CHECK(found->face == expected->face);
       }
+      CHECK(tree.any(ray, 0, 1e9).has_value() == expected.has_value());
+      if (expected) CHECK_FALSE(tree.any(ray, 0, expected->t * (1 - 1e-9)));
       std::vector<TriangleTree::Hit> hits;
       tree.all(ray, -1e9, 1e9, hits);
       CHECK(hits.size() == all);
@@ -130,6 +134,10 @@ TEST_CASE("triangle tree: triangles without area are never hit", "[tracer][mesh]
   const TriangleTree tree(mesh);
   CHECK_FALSE(tree.nearest({{1, 1, -5}, {0, 0, 1}}, 0, 100));
   CHECK(tree.bounds().empty());
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  mesh.vertices = {{0, 0, 0}, {infinity, 1, 1}, {2, -infinity, std::nanf("")}, {0, 1e30F, 0}};
+  mesh.faces = {{0, 1, 2}, {0, 0, 1}, {2, 1, 0}, {0, 1, 3}};
+  CHECK_FALSE(TriangleTree(mesh).nearest({{1, 1, -5}, {0, 0, 1}}, 0, 100));
   CHECK_FALSE(TriangleTree(scene::Mesh{}).nearest({{1, 1, -5}, {0, 0, 1}}, 0, 100));
 }
 
