@@ -6,10 +6,11 @@
 
 namespace durer::interpreter {
 
-/// Runs `work` on a thread with a large stack and waits for it; exceptions pass through.
+/// Runs `work` on a large stack, in this thread: a second thread would make every shared pointer of
+/// the interpreter count atomically. Exceptions pass through.
 void on_deep_stack(const std::function<void()>& work);
 
-/// True when the stack of this thread is nearly used up.
+/// True when the stack of on_deep_stack is nearly used up.
 [[nodiscard]] bool stack_is_low();
 
 }  // namespace durer::interpreter
