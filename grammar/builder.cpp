@@ -54,7 +54,7 @@ ast::Op op_of(std::string_view text) {
 }  // namespace
 
 Builder::Builder(std::string_view text, Loc base, SymbolTable& symbols, const Balance& balance,
-                 const LiteralRuns& runs, ast::Tree& tree)
+                 const LiteralRuns& runs, ast::Tree& tree, bool lenient)
     : begin_(text.data()),
       end_(text.data() + text.size()),
       base_(base),
@@ -62,13 +62,15 @@ Builder::Builder(std::string_view text, Loc base, SymbolTable& symbols, const Ba
       balance_(&balance),
       runs_(&runs),
       tree_(&tree),
-      last_end_(base) {
+      last_end_(base),
+      lenient_(lenient) {
   // Upper bounds, not guesses: a mesh of 30 MB must not be copied while it grows.
   tree.exprs.reserve(balance.operands + balance.operators);
   tree.expr_lists.reserve(balance.operands);
   items_.reserve(balance.operands + balance.operators + balance.marks);
   frames_.push_back({});
   frames_.back().open = {base, 0};
+  frames_.back().bodies = lenient ? 1 : 0;
 }
 
 const Builder::Word* Builder::word_at(const char* at, const char* end) {
@@ -137,6 +139,7 @@ Failure Builder::failure(const char* at, std::string_view expected, Failure::Kin
 }
 
 void Builder::flaw(const char* item, const Failure& why) {
+  if (lenient_ && frames_.back().bodies == 1) flaws_of_file_.push_back(diagnostic(why));
   tree_->flaws.push_back({char_span(item).begin, diagnostic(why)});
 }
 

@@ -34,7 +34,7 @@ struct Failure {
 class Builder {
  public:
   Builder(std::string_view text, Loc base, SymbolTable& symbols, const Balance& balance,
-          const LiteralRuns& runs, ast::Tree& tree);
+          const LiteralRuns& runs, ast::Tree& tree, bool lenient = false);
 
   // ---- what the rules ask --------------------------------------------------------------------
 
@@ -81,6 +81,8 @@ class Builder {
   }
   void remember_bad_item(const char* at) { bad_items_.insert(at); }
   void flaw(const char* item, const Failure& why);
+  /// In a lenient run: what could not be read outside of directive bodies.
+  [[nodiscard]] const std::vector<Diagnostic>& flaws_of_file() const { return flaws_of_file_; }
   [[nodiscard]] Failure failure(const char* at, std::string_view expected,
                                 Failure::Kind kind = Failure::Kind::expected) const;
   [[nodiscard]] Diagnostic diagnostic(const Failure& f) const;
@@ -263,6 +265,8 @@ class Builder {
   SymbolId unknown_word_ = 0;
   bool deprecated_ = false;
   bool deprecated_once_ = false;
+  bool lenient_ = false;  // the file itself is read as directive bodies are
+  std::vector<Diagnostic> flaws_of_file_;
   std::unordered_set<const char*> bad_attempts_;
   std::unordered_set<const char*> bad_items_;
 };

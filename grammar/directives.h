@@ -111,7 +111,8 @@ struct text_directive   : p::seq<p::sor<text_head<words::include>, text_head<wor
                                         text_head<words::statistics>>,
                                  p::opt<operand_value>> {};
 struct version_head     : hash<words::version> {};
-struct version          : p::seq<version_head, p::opt<version_value, p::opt<semicolon>>> {};
+struct unofficial       : p::seq<p::keyword<'u', 'n', 'o', 'f', 'f', 'i', 'c', 'i', 'a', 'l'>, gap> {};
+struct version          : p::seq<version_head, p::opt<unofficial>, p::opt<version_value, p::opt<semicolon>>> {};
 
 template <SymbolId Word>
 struct simple_head      : hash<Word> {};

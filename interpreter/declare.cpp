@@ -221,6 +221,10 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
          fmt::format("`{}` is a word of the language and cannot name a macro", name_of(node.name)));
   }
   check_new_name(node.name, node.head);
+  if (version() < 310) {
+    fail(Code::version, node.head, "macros need version 3.1",
+         "write `#version 3.7;` above, or what the scene was written for");
+  }
   Slot& slot = env_.for_global(node.name);
   if (slot.value.defined() && slot.value.get<MacroRef>() == nullptr) {
     fail(Code::wrong_kind, node.head,
@@ -418,6 +422,7 @@ void Interpreter::enter_macro(const ast::Tree& tree, ast::ExprId id, const Macro
   const ast::Expr& e = tree.exprs[id];
   const ast::Macro& macro = *ref.macro;
   tick(e.span);
+  check_stack(e.span);
   if (macro_depth_ >= options_.limits.macro_depth && options_.limits.macro_depth > 0) {
     fail(Code::limit, e.span,
          fmt::format("macro `{}` calls itself too deeply", name_of(macro.name)),

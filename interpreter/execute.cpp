@@ -264,11 +264,12 @@ void Interpreter::set_version(double v, Span span) {
     fail(Code::version, span, fmt::format("language version {:g} is not supported yet", v),
          "this program speaks versions up to 3.8: write `#version 3.8;`");
   }
-  if (hundredths < 100) {
+  if (hundredths < 0) {
     fail(Code::version, span, fmt::format("there is no language version {:g}", v));
   }
   if (hundredths >= 380) declare_additions();
   declared_version_ = hundredths;
+  version_source_ = {};
   version_given_ = true;
 }
 

@@ -28,7 +28,7 @@ const ast::Tree& Interpreter::load(const std::string& name, Span span) {
   std::optional<std::string> text = durer::read_file(*path);
   if (!text) fail(Code::file_not_found, span, fmt::format("cannot read the file `{}`", *path));
   const FileId file = sources_.add(*path, *std::move(text));
-  auto tree = grammar::parse(sources_, file, symbols_, diagnostics_);
+  auto tree = grammar::parse(sources_, file, symbols_, diagnostics_, true);
   if (!tree) {
     names_are_missing_ = true;
     failed_ = true;

@@ -8,6 +8,7 @@
 
 #include "grammar/parse.h"
 #include "interpreter/camera.h"
+#include "interpreter/deep_stack.h"
 #include "interpreter/interpreter.h"
 
 namespace durer::interpreter {
@@ -30,6 +31,7 @@ Interpreter::Interpreter(SourceMap& sources, const scene::Registry& registry,
   plain.layers.emplace_back();
   default_texture_ = add_texture(std::move(plain));
   if (options.version > 0) {
+    version_source_ = " (option)";
     declared_version_ = options.version;
     version_given_ = true;
   }
@@ -125,6 +127,10 @@ void Interpreter::top_level() {
       add_root(read_object(t));
       continue;
     }
+    if (const auto* name = t.node<ast::Name>(); name != nullptr && name->name == w::version) {
+      obsolete_directive(t, "version");
+      continue;
+    }
     if (t.kind == Token::Kind::expr) {
       const Value* v = lookup(*t.tree, t.expr, true);
       if (v != nullptr && v->get<ObjectRef>() != nullptr) {
@@ -146,6 +152,8 @@ void Interpreter::top_level() {
         warn(Code::deprecated, t.span, "`default` without `#`", "write `#default`");
         default_block();
         break;
+      case w::declare: obsolete_directive(t, "declare"); break;
+      case w::include: obsolete_directive(t, "include"); break;
       case w::max_trace_level: read_max_trace_level(t); break;
       case w::max_intersections: read_float(); break;
       case w::sky_sphere:
@@ -165,7 +173,7 @@ std::optional<scene::Scene> Interpreter::run(FileId main_file) {
   main_file_ = main_file;
   auto tree = grammar::parse(sources_, main_file, symbols_, diagnostics_);
   if (!tree) return std::nullopt;
-  utf8_ = tree->utf8;
+  if (tree->utf8) charset_ = Charset::utf8;
   remember(*tree);
 
   predefine();
@@ -181,6 +189,7 @@ std::optional<scene::Scene> Interpreter::run(FileId main_file) {
   if (options_.version == 0 && path.ends_with(".scene")) {
     native_ = true;
     set_version(3.8, {});
+    version_source_ = " (.scene)";
   } else if (options_.version >= 380) {
     declare_additions();
   }
@@ -204,6 +213,7 @@ void Interpreter::finish() {
                                 : default_camera_ ? *default_camera_
                                                   : CameraSpec{});
   finish_settings();
+  if (options_.on_assumptions) options_.on_assumptions(assumptions());
   if (scene_.roots.empty()) {
     Diagnostic d;
     d.severity = Severity::warning;
@@ -216,8 +226,12 @@ void Interpreter::finish() {
 std::optional<scene::Scene> interpret(SourceMap& sources, FileId main_file,
                                       const scene::Registry& registry, const Options& options,
                                       Diagnostics& diagnostics) {
-  Interpreter interpreter(sources, registry, options, diagnostics);
-  return interpreter.run(main_file);
+  std::optional<scene::Scene> scene;
+  on_deep_stack([&] {
+    Interpreter interpreter(sources, registry, options, diagnostics);
+    scene = interpreter.run(main_file);
+  });
+  return scene;
 }
 
 }  // namespace durer::interpreter

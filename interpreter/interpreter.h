@@ -133,6 +133,8 @@ class Interpreter {
     if (++turns_ >= next_check_) check_limits(span);
   }
   void check_limits(Span span);
+  void check_stack(Span span);
+  void check_depth(const scene::Object& object, std::uint32_t depth);
   bool condition(const ast::Tree& tree, ast::ExprId id);
   bool is_defined(const ast::Tree& tree, ast::ExprId id);
   void call_macro(const ast::Tree& tree, ast::ExprId call, bool flatten);
@@ -369,6 +371,10 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
 
   // ---- blocks: scene things
   void top_level();
+  // ---- versions.cpp: what old versions did otherwise
+  void obsolete_directive(const Token& word, std::string_view name);
+  [[nodiscard]] std::string assumptions() const;
+  void decode_high_bytes(std::string_view bytes, std::size_t& at, Span span, Text& out);
   std::optional<Transform> read_transformation(const Token& token);
   Transform read_transform_block();
   Transform read_matrix(const Token& word);
@@ -522,16 +528,20 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   std::vector<std::uint32_t> streams_;  // states of rand()
   functions::Workspace workspace_;      // of calls of functions
   scene::Scene scene_;
+  std::vector<std::uint16_t> object_depths_;  // by object: 1 + that of its deepest child
   scene::TextureId default_texture_ = scene::none;
   scene::TextureId own_texture_ = scene::none;  // made by the object statement being read
   std::shared_ptr<const CameraSpec> default_camera_;
   std::shared_ptr<const CameraSpec> camera_;
   int declared_version_ = 370;
   bool version_given_ = false;
+  std::string_view version_source_ = " (no #version)";
   bool native_ = false;     // a `.scene`: 3.8 and linear colours unless it says otherwise
   bool additions_ = false;  // 3.8 is or was in force: there may be dictionaries
   bool assumed_gamma_given_ = false;
-  bool utf8_ = false;
+  /// What bytes above 127 in string literals mean (language §1.4).
+  enum class Charset : std::uint8_t { ascii, utf8, system };
+  Charset charset_ = Charset::ascii;
   Span last_span_;
 };
 

@@ -69,12 +69,19 @@ bool Interpreter::starts_object(const Token& t) const {
 }
 
 scene::ObjectId Interpreter::add_object(scene::Object object) {
+  std::uint32_t depth = 1;
+  for (const scene::ObjectId child : object.children) {
+    depth = std::max<std::uint32_t>(depth, object_depths_[child] + 1U);
+  }
+  check_depth(object, depth);
+  object_depths_.push_back(static_cast<std::uint16_t>(depth));
   scene_.objects.push_back(std::move(object));
   return static_cast<scene::ObjectId>(scene_.objects.size() - 1);
 }
 
 /// After the object's word: reads the whole statement.
 scene::ObjectId Interpreter::read_object(const Token& word) {
+  check_stack(word.span);
   if (word.word == w::light_source) return read_light(word);
   const Token open = next();
   if (open.kind != Token::Kind::open) {

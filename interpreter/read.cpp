@@ -639,6 +639,7 @@ vec3 Interpreter::read_rgb() {
 // ------------------------------------------------------------------------------
 
 Value Interpreter::read_value() {
+  check_stack(last_span_);
   const Token t = peek();
   if (t.kind == Token::Kind::expr) {
     if (starts_dictionary(t)) return read_dictionary();

@@ -411,6 +411,7 @@ void Interpreter::Nested::open(const ast::Tree& tree) {
   unread_base_ = in_.unread_base_;
   in_.unread_base_ = in_.unread_.size();
   declare_depth_ = std::exchange(in_.declare_depth_, 0);
+  in_.check_stack(in_.frames_.empty() ? Span{} : in_.frames_.back().call);
   if (++in_.nesting_ > max_nesting) {
     in_.fail(Code::limit, in_.frames_.back().call, "expressions are nested too deeply",
              "is a macro calling itself without end?");

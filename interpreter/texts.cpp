@@ -160,16 +160,7 @@ void Interpreter::decode_literal(std::string_view bytes, Span span, bool file_na
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     const auto c = static_cast<unsigned char>(bytes[i]);
     if (c > 127) {
-      if (!utf8_) {
-        out.append(version() < 350 ? static_cast<char16_t>(c) : u' ');
-        continue;
-      }
-      const int extra = c >= 0xF0 ? 3 : c >= 0xE0 ? 2 : 1;
-      std::uint32_t code = c & (0x3FU >> extra);
-      for (int k = 0; k < extra && i + 1 < bytes.size(); ++k) {
-        code = code << 6 | (static_cast<unsigned char>(bytes[++i]) & 0x3FU);
-      }
-      out.append(code > 0xFFFF ? u'\uFFFD' : static_cast<char16_t>(code));
+      decode_high_bytes(bytes, i, span, out);
       continue;
     }
     if (c != '\\' || file_name || i + 1 >= bytes.size()) {

@@ -62,6 +62,10 @@ struct Value;
 
 /// One to five dimensions, row-major. The first element assigned fixes the kind of all.
 struct Array {
+  Array() = default;
+  Array(const Array&) = default;
+  Array& operator=(const Array&) = delete;
+  ~Array();
   std::vector<std::size_t> sizes;
   std::vector<Value> elements;
   bool mixed = false;  // elements of any kinds (since 3.8)

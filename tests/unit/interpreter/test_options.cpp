@@ -120,6 +120,20 @@ TEST_CASE("options: a confined scene writes named files only", "[interpreter][op
   CHECK_FALSE(fs::exists(other));
 }
 
+TEST_CASE("options: an include may open what its includer closes", "[interpreter][options]") {
+  const Folder folder;
+  (void)folder.write("open.inc", "union { sphere { 0, 1 }");
+  (void)folder.write("close.inc", "translate x }");
+  const Run r = run("#include \"open.inc\"\nsphere { x, 1 } translate y }\n"
+                    "union { sphere { 0, 1 } sphere { x, 1 }\n#include \"close.inc\"\n",
+                    true, {}, folder.path / "main.pov");
+  CHECK(first(r.errors).empty());
+  REQUIRE(r.scene);
+  CHECK(r.scene->roots.size() == 2);
+  CHECK(first(run("#include \"open.inc\"", true, {}, folder.path / "main.pov").errors)
+            .starts_with("D0202"));
+}
+
 TEST_CASE("options: a missing file names a near one", "[interpreter][options]") {
   const Folder folder;
   (void)folder.write("colours.inc", "");

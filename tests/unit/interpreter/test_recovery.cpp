@@ -154,3 +154,35 @@ TEST_CASE("recovery: labels lead to the other half of the trouble", "[interprete
   CHECK(run("#declare Scale = 2;\nsphere { 0, Scael }").help ==
         Errors{"did you mean `Scale`?"});
 }
+
+TEST_CASE("recovery: several syntax errors are told, one per line", "[interpreter][recovery]") {
+  CHECK(errors_of("sphere { <0,0,0 1 }\n"
+                  "sphere { 0, 1 }\n"
+                  "#declare A = (1+;\n"
+                  "#macro M() (2+ #end\n"
+                  "box { 0, 2* }\n") ==
+        Errors{"1 expected a component, `,` or `>`, found `}`", "3 no matching `)`"});
+  CHECK(errors_of("sphere { <0,0,0 1 }\n"
+                  "sphere { 0, 1 }\n"
+                  "box { 0, 2* }\n"
+                  "#nonsense\n") ==
+        Errors{"1 expected a component, `,` or `>`, found `}`",
+               "3 expected an operand after `*`, found `}`", "4 there is no directive `#nonsense`"});
+}
+
+TEST_CASE("recovery: objects cannot nest without end", "[interpreter][recovery]") {
+  CHECK(errors_of("#declare O = sphere { 0, 1 }\n"
+                  "#for (I, 1, 10000) #declare O = union { object { O } sphere { x, 1 } } #end\n") ==
+        Errors{"2 objects are nested more than 5000 deep"});
+}
+
+TEST_CASE("recovery: deep recursion is an error", "[interpreter][recovery]") {
+  durer::interpreter::Options o;
+  o.limits.macro_depth = 0;
+  const durer::interpreter::test::Run r =
+      run("#macro F(N) (1 + F(N + 1)) #end\n#declare A = F(0);", true, o);
+  REQUIRE(r.errors.size() == 1);
+  CHECK(r.errors.front().substr(0, 5) == "D0303");
+  CHECK(error_of("#declare A = array[1];\n"
+                 "#for (I, 1, 300000) #declare A = array[1] { A } #end") == "no error");
+}
