@@ -49,7 +49,7 @@ class Render {
     console_.print(frame->diagnostics);
     if (!compiled || frame->diagnostics.has_errors()) return exit_code::error;
     stop_ = &interrupts_set_flag();  // from here on there is something to keep
-    console_.print(Stream::render, assumptions(settings_, frame->scene->settings) + "\n");
+    console_.print(Stream::render, assumptions(settings_, frame->scene->settings, frame->assumed) + "\n");
     return trace(*frame->scene, *compiled, *window);
   }
 

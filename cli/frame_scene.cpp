@@ -47,6 +47,7 @@ std::unique_ptr<FrameScene> read_frame(const Settings& settings, const SceneText
       console.print(Stream::debug, fmt::format("{}\n", line));
     };
   }
+  options.on_assumptions = [&](std::string_view line) { frame->assumed = line; };
   const double seconds = options.limits.seconds;
   const Deadline deadline(hard_limit(seconds), [&] { stop_now(too_slow(settings, seconds)); });
   const auto start = Clock::now();

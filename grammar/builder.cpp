@@ -70,7 +70,6 @@ Builder::Builder(std::string_view text, Loc base, SymbolTable& symbols, const Ba
   items_.reserve(balance.operands + balance.operators + balance.marks);
   frames_.push_back({});
   frames_.back().open = {base, 0};
-  frames_.back().bodies = lenient ? 1 : 0;
 }
 
 const Builder::Word* Builder::word_at(const char* at, const char* end) {
@@ -139,8 +138,32 @@ Failure Builder::failure(const char* at, std::string_view expected, Failure::Kin
 }
 
 void Builder::flaw(const char* item, const Failure& why) {
-  if (lenient_ && frames_.back().bodies == 1) flaws_of_file_.push_back(diagnostic(why));
   tree_->flaws.push_back({char_span(item).begin, diagnostic(why)});
+}
+
+// A statement ends where its brackets are closed and, if the trouble was outside of them, the line.
+const char* Builder::skip_bad_item(const char* at, const Failure& why) {
+  flaws_of_file_.push_back(diagnostic(why));
+  if (*at == '#') {
+    const char* word = at + 1;
+    while (word != end_ && *word == ' ') ++word;
+    // The body of a directive whose head is bad would be taken for statements of the file.
+    const Word* w = word_at(word, end_);
+    const bool has_body = w == nullptr || w->id == words::if_ || w->id == words::ifdef ||
+                          w->id == words::ifndef || w->id == words::while_ ||
+                          w->id == words::for_ || w->id == words::switch_ || w->id == words::macro;
+    if (has_body) return nullptr;
+  }
+  int depth = 0;
+  bool quoted = false;
+  for (const char* c = at; c != end_; ++c) {
+    if (*c == '"' && (c == at || c[-1] != '\\')) quoted = !quoted;
+    if (quoted) continue;
+    if (*c == '{' || *c == '(' || *c == '[') ++depth;
+    if ((*c == '}' || *c == ')' || *c == ']') && --depth <= 0 && c >= why.at) return c + 1;
+    if (*c == '\n' && depth <= 0 && c >= why.at) return c;
+  }
+  return nullptr;
 }
 
 void Builder::enter(const char* at) {

@@ -81,8 +81,12 @@ class Builder {
   }
   void remember_bad_item(const char* at) { bad_items_.insert(at); }
   void flaw(const char* item, const Failure& why);
-  /// In a lenient run: what could not be read outside of directive bodies.
+  /// In a lenient run: errors outside of directive bodies.
   [[nodiscard]] const std::vector<Diagnostic>& flaws_of_file() const { return flaws_of_file_; }
+  /// True where such a run skips an item that cannot be read.
+  [[nodiscard]] bool skips_bad_items() const { return lenient_ && frames_.size() == 1; }
+  /// Notes why, and tells where the next item begins; null if that cannot be told.
+  const char* skip_bad_item(const char* at, const Failure& why);
   [[nodiscard]] Failure failure(const char* at, std::string_view expected,
                                 Failure::Kind kind = Failure::Kind::expected) const;
   [[nodiscard]] Diagnostic diagnostic(const Failure& f) const;
@@ -265,7 +269,7 @@ class Builder {
   SymbolId unknown_word_ = 0;
   bool deprecated_ = false;
   bool deprecated_once_ = false;
-  bool lenient_ = false;  // the file itself is read as directive bodies are
+  bool lenient_ = false;  // a run that looks for more errors only
   std::vector<Diagnostic> flaws_of_file_;
   std::unordered_set<const char*> bad_attempts_;
   std::unordered_set<const char*> bad_items_;

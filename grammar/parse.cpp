@@ -27,8 +27,8 @@ bool scan_file(std::string_view text, std::size_t skipped, Loc base, Balance& ba
   return balance.finish(text.size()) && read && scan.errors == 0;
 }
 
-/// After the first syntax error: the file once more, this time taking what cannot be read for single
-/// marks, as directive bodies do. One error per line is enough.
+/// After the first syntax error: the file once more, this time skipping what cannot be read. One error
+/// per line is enough.
 void report_others(std::string_view text, std::size_t skipped, Loc base, SymbolTable& symbols,
                    const Balance& balance, const LiteralRuns& runs,
                    const SourceMap& sources, std::uint32_t last_line,

@@ -1,5 +1,7 @@
 // What the language has had since 3.8 (language §1.6, §5.1): dictionaries, several targets at once,
 // new names. Optional parameters are with the macros, mixed and growing arrays with the arrays.
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "grammar/parse.h"
@@ -22,7 +24,7 @@ void Interpreter::check_new_name(SymbolId name, Span span) {
 void Interpreter::declare_additions() {
   if (additions_) return;
   additions_ = true;
-  const FileId file = sources_.add("names of version 3.8",
+  const FileId file = sources_.add("<version 3.8>",
                                    "#declare tau = 2*pi;\n"
                                    "#declare atand = function(x) { degrees(atan(x)) }\n");
   auto tree = grammar::parse(sources_, file, symbols_, diagnostics_);
@@ -30,8 +32,11 @@ void Interpreter::declare_additions() {
   remember(*tree);
   main_trees_.push_back(std::move(tree));
   const ast::Tree& text = *main_trees_.back();
+  // They are reserved from now on, so they must be declared before.
+  const int version = std::exchange(declared_version_, 370);
   Nested part(*this, text, text.top);
   part.finish("the end of these names");
+  declared_version_ = version;
 }
 
 // ---- dictionaries ------------------------------------------------------------------------------

@@ -44,6 +44,9 @@ TEST_CASE("additions: versions up to 3.8", "[interpreter][additions]") {
   CHECK(native.debug == "3.80");
   CHECK(run("#debug str(version,0,2)", false, {}, "a.pov").debug == "3.70");
   CHECK(run("#version 3.5; #debug str(version,0,2)", false, {}, "a.scene").debug == "3.50");
+  Options option;
+  option.version = 380;
+  CHECK(run("#debug str(version + tau,0,2)", false, option).debug == "10.08");
 }
 
 TEST_CASE("additions: dictionaries hold values of any kind", "[interpreter][additions]") {

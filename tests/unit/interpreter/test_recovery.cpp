@@ -158,16 +158,16 @@ TEST_CASE("recovery: labels lead to the other half of the trouble", "[interprete
 TEST_CASE("recovery: several syntax errors are told, one per line", "[interpreter][recovery]") {
   CHECK(errors_of("sphere { <0,0,0 1 }\n"
                   "sphere { 0, 1 }\n"
-                  "#declare A = (1+;\n"
-                  "#macro M() (2+ #end\n"
-                  "box { 0, 2* }\n") ==
-        Errors{"1 expected a component, `,` or `>`, found `}`", "3 no matching `)`"});
-  CHECK(errors_of("sphere { <0,0,0 1 }\n"
-                  "sphere { 0, 1 }\n"
                   "box { 0, 2* }\n"
-                  "#nonsense\n") ==
+                  "#declare A = 1; #declare sphere = 2;\n"
+                  "#nonsense\n"
+                  "#macro M() (2+) #end\n"
+                  "union { sphere { 0, 1 }\n"
+                  "  sphere { 0, (1+) } }\n") ==
         Errors{"1 expected a component, `,` or `>`, found `}`",
-               "3 expected an operand after `*`, found `}`", "4 there is no directive `#nonsense`"});
+               "3 expected an operand after `*`, found `}`",
+               "4 expected a name that is not reserved, found the reserved word `sphere`",
+               "5 there is no directive `#nonsense`", "8 expected an operand after `+`, found `)`"});
 }
 
 TEST_CASE("recovery: objects cannot nest without end", "[interpreter][recovery]") {
