@@ -204,4 +204,4 @@ M() #macro M() #end
 
 //= below version 3.1 macros are errors
 #version 3.0; #macro M() #end
-// beyond
+// error: D0306 at 1:22

@@ -110,7 +110,7 @@ TEST_CASE("dump: operands have the names of the registry", "[scene][dump]") {
   CHECK(object["args"]["centre"] == Json({1, 2, 3}));
   CHECK(object["args"]["radius"] == 0.5);
   CHECK(object["args"]["more"] == Json({7, 8}));
-  CHECK(json["sky_sphere"]["pigments"][0]["pattern"] == "stripes");
+  CHECK(json["sky_sphere"]["pigments"][0]["pattern"]["type"] == "stripes");
 }
 
 TEST_CASE("dump: text leaves out what has its default", "[scene][dump]") {
