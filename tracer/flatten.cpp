@@ -262,14 +262,21 @@ class Flattener {
   }
 
   [[nodiscard]] bool needs_uv(const Surface& surface) const {
-    const auto by_uv = [&](scene::TextureId id) {
-      if (id == none) return false;
-      const auto& layers = scene_.textures[id].layers;
-      return std::any_of(layers.begin(), layers.end(),
-                         [](const scene::Layer& l) { return l.pigment->uv_mapping; });
-    };
     return surface.uv_mapping || by_uv(surface.texture.texture) ||
            by_uv(surface.interior_texture.texture);
+  }
+
+  // True if anything in a texture lies on the surface rather than in space.
+  [[nodiscard]] bool by_uv(scene::TextureId id) const {
+    if (id == none) return false;
+    const scene::Texture& t = scene_.textures[id];
+    return t.uv_mapping ||
+           std::any_of(t.layers.begin(), t.layers.end(),
+                       [](const scene::Layer& l) {
+                         return l.pigment->uv_mapping || l.normal->uv_mapping;
+                       }) ||
+           std::any_of(t.entries.begin(), t.entries.end(),
+                       [&](const scene::TextureEntry& e) { return by_uv(e.texture); });
   }
 
   void report(scene::ObjectId id, const Object& object) {
