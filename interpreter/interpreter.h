@@ -473,6 +473,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   functions::Workspace workspace_;      // of calls of functions
   scene::Scene scene_;
   scene::TextureId default_texture_ = scene::none;
+  bool reading_default_ = false;  // a normal may have settings and no pattern yet
   scene::TextureId own_texture_ = scene::none;  // made by the object statement being read
   std::shared_ptr<const CameraSpec> default_camera_;
   std::shared_ptr<const CameraSpec> camera_;

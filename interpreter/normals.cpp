@@ -23,7 +23,7 @@ scene::Normal Interpreter::read_normal(scene::Normal start) {
   const Span span = last_span_ = peek().span;
   start.origin = origin(span);
   read_normal_body(start, Token::Kind::close);
-  if (!start.pattern.exists() && !start.uv_mapping && start.unsupported.empty()) {
+  if (!start.pattern.exists() && start.unsupported.empty() && !reading_default_) {
     fail(Code::missing_argument, span, "expected a pattern in `normal`", "write `normal { bumps 0.5 }`");
   }
   if (start.no_bump_scale) keep_bump_scale(start);

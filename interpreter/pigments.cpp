@@ -1,4 +1,6 @@
 // Pigments and their maps (textures §11, §16).
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "interpreter/maps.h"
@@ -16,6 +18,26 @@ constexpr std::string_view pigment_settings =
     "translate rotate scale matrix transform quick_color";
 }  // namespace
 
+namespace {
+
+// The default colours of the Mandelbrot set are not for its relatives of other exponents
+// (textures §11.4).
+void settle_fractal_colours(scene::Pigment& p, const scene::Registry& registry) {
+  if (!p.pattern.exists()) return;
+  const scene::PatternInfo& info = *registry.patterns[p.pattern.type];
+  const auto same = [](const scene::PigmentEntry& a, const scene::MapEntry& b) {
+    return a.key == b.key && a.colour == b.colour && a.pigment == scene::none;
+  };
+  if (info.name != "mandel" || p.pattern.args[1] == 2 ||
+      !std::equal(p.entries.begin(), p.entries.end(), info.default_map.begin(),
+                  info.default_map.end(), same)) {
+    return;
+  }
+  p.entries = {{0, {}, scene::none}, {1, Colour{vec3(1.0F), 0, 0}, scene::none}};
+}
+
+}  // namespace
+
 scene::Pigment Interpreter::read_pigment(scene::Pigment start) {
   expect_open("pigment");
   start.origin = origin(peek().span);
@@ -30,6 +52,7 @@ void Interpreter::read_pigment_body(scene::Pigment& p, Token::Kind last) {
     if (t.kind == last) {
       next();
       check_entries(p.pattern, p.entries.empty(), "pigment_map");
+      settle_fractal_colours(p, registry_);
       return;
     }
     if (t.is_punct(';')) {

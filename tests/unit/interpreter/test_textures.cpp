@@ -94,7 +94,7 @@ TEST_CASE("normals: amount, modifiers and maps", "[interpreter][textures]") {
 }
 
 TEST_CASE("normals: what cannot be is an error", "[interpreter][textures]") {
-  CHECK(says("sphere { 0, 1 normal { 0.5 } }", "D0214"));
+  CHECK(says("sphere { 0, 1 normal { 0.5 } }", "D0201"));
   CHECK(says("sphere { 0, 1 normal { scale 2 } }", "expected a pattern"));
   CHECK(says("sphere { 0, 1 normal { checker slope_map { [0 <0, 1>] } } }",
              "takes a list, not a map"));

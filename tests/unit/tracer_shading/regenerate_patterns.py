@@ -52,7 +52,7 @@ PATTERNS = [
     ("mandel", [20, 4, 2, 0.1, 6, 1], "mandel 20 exponent 4 exterior 2, .1 interior 6, 1"),
     ("mandel", [20, 6, 6, 0.1, 5, 0.7], "mandel 20 exponent 6 exterior 6, .1 interior 5, .7"),
     ("julia", [-0.3, 0.6, 30, 2, 1, 1, 1, 1], "julia <-.3,.6>, 30 interior 1, 1"),
-    ("julia", [0.1, 0.5, 20, 7, 4, 0.2, 2, 0.3], "julia <.1,.5>, 20 exponent 7 exterior 4, .2 interior 2, .3"),
+    ("julia", [0.1, 0.5, 20, 7, 1, 1, 2, 0.3], "julia <.1,.5>, 20 exponent 7 interior 2, .3"),
     ("magnet", [1, 0, 0, 0, 30, 1, 1, 1, 0.5], "magnet 1 mandel 30 interior 1, .5"),
     ("magnet", [2, 0, 0, 0, 30, 1, 1, 4, 0.5], "magnet 2 mandel 30 interior 4, .5"),
     ("magnet", [1, 1, 0.3, 0.6, 30, 1, 1, 3, 0.5], "magnet 1 julia <.3,.6>, 30 interior 3, .5"),
