@@ -27,7 +27,11 @@ std::string_view kind_name(const Value& value) {
     std::string_view operator()(TextureRef) const { return "a texture"; }
     std::string_view operator()(const Shared<scene::Pigment>&) const { return "a pigment"; }
     std::string_view operator()(const Shared<scene::Finish>&) const { return "a finish"; }
+    std::string_view operator()(const Shared<scene::Normal>&) const { return "a normal"; }
     std::string_view operator()(const Shared<ColourMap>&) const { return "a colour map"; }
+    std::string_view operator()(const Shared<NormalMap>&) const { return "a normal map"; }
+    std::string_view operator()(const Shared<SlopeMap>&) const { return "a slope map"; }
+    std::string_view operator()(const Shared<TextureMap>&) const { return "a texture map"; }
     std::string_view operator()(InteriorRef) const { return "an interior"; }
     std::string_view operator()(const Shared<Material>&) const { return "a material"; }
     std::string_view operator()(const Shared<Transform>&) const { return "a transform"; }
