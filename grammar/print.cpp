@@ -149,12 +149,32 @@ class Printer {
   void words(ast::Range range) { items(range, ' '); }
   void items(ast::Range range, char separator) {
     for (std::uint32_t i = 0; i < range.count; ++i) {
-      item(tree_.items[range.first + i]);
+      item(tree_.items[range.first + i], separator);
       out_ += separator;
     }
   }
 
-  void item(const ast::Item& i) {
+  /// As if each element were an item: where a list is cut into runs does not show.
+  void literals(const LiteralRun& run, char separator) {
+    LiteralReader reader(run);
+    for (std::uint32_t i = 0; i < run.count; ++i) {
+      double v[5];
+      reader.read(v);
+      if (i > 0) out_ += separator;
+      if (run.width > 1) out_ += '<';
+      for (int k = 0; k < run.width; ++k) {
+        if (k > 0) out_ += ", ";
+        if (std::signbit(v[k])) out_ += '-';
+        out_ += number_text(std::abs(v[k]));
+      }
+      if (run.width > 1) out_ += '>';
+      if (!reader.comma()) continue;
+      out_ += separator;
+      mark(',');
+    }
+  }
+
+  void item(const ast::Item& i, char separator) {
     switch (i.kind) {
       case ast::ItemKind::expr: return expr(i.ref);
       case ast::ItemKind::word: return name(i.ref);
@@ -162,9 +182,7 @@ class Printer {
       case ast::ItemKind::brackets: return group(tree_.groups[i.ref], '[', ']');
       case ast::ItemKind::directive:
         return std::visit([this](const auto& node) { write(node); }, tree_.directives[i.ref].node);
-      case ast::ItemKind::literals:
-        out_ += tree_.literals[i.ref].text;
-        return;
+      case ast::ItemKind::literals: return literals(tree_.literals[i.ref], separator);
       case ast::ItemKind::punct: return mark(i.detail);
     }
   }

@@ -24,6 +24,9 @@ Interpreter::Interpreter(SourceMap& sources, const scene::Registry& registry,
   for (std::uint32_t i = 0; i < registry.patterns.size(); ++i) {
     pattern_words_[symbols_.intern(registry.patterns[i]->name)] = i;
   }
+  for (std::uint32_t i = 0; i < registry.warps.size(); ++i) {
+    warp_words_[symbols_.intern(registry.warps[i]->name)] = i;
+  }
   scene::Texture plain;
   plain.layers.emplace_back();
   default_texture_ = add_texture(std::move(plain));

@@ -385,6 +385,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   scene::ObjectId read_object(const Token& word);
   bool starts_object(const Token& token) const;
   scene::Object read_primitive(std::uint32_t type, const Token& word);
+  void read_operand(const scene::Param& param, double* out);
   std::vector<double> read_operands(const scene::TypeInfo& info, const Token& word);
   // ---- meshes.cpp
   scene::Object read_mesh(std::uint32_t type, const Token& word);
@@ -426,15 +427,21 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   scene::TextureId add_texture(scene::Texture texture);
   scene::Pigment read_pigment(scene::Pigment start);
   void read_pigment_body(scene::Pigment& pigment, Token::Kind last);
-  void start_pattern(scene::Pigment& pigment, std::uint32_t index, const Token& word);
-  [[nodiscard]] bool is_pattern_word(SymbolId word) const;
-  [[nodiscard]] bool is_warp_word(SymbolId word) const;
-  void skip_to(Token::Kind last);
+  void start_pigment_pattern(scene::Pigment& pigment, std::uint32_t index, const Token& word);
   void check_map(const ColourMap& map);
   bool pigment_modifier(scene::Pigment& pigment, const Token& token);
   void read_colour_list(scene::Pigment& pigment, const scene::PatternInfo& info);
   ColourMap read_colour_map();
   ColourMap read_pigment_map();
+  // ---- patterns.cpp
+  [[nodiscard]] bool is_pattern_word(SymbolId word) const;
+  void choose_pattern(scene::Pattern& pattern, std::uint32_t index);
+  void read_pattern_operands(scene::Pattern& pattern, const Token& word);
+  bool pattern_modifier(scene::Pattern& pattern, const Token& token);
+  void read_turbulence(scene::Pattern& pattern, const Token& word);
+  void read_noise_generator(scene::Pattern& pattern, const Token& word);
+  void read_warp(scene::Pattern& pattern, Span span);
+  void skip_to(Token::Kind last);
   scene::Finish read_finish(scene::Finish start);
   void read_reflection(scene::Finish& finish);
   scene::InteriorId read_interior();
@@ -516,6 +523,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   // Reserved word → index into the registry.
   std::unordered_map<SymbolId, std::uint32_t> primitive_words_;
   std::unordered_map<SymbolId, std::uint32_t> pattern_words_;
+  std::unordered_map<SymbolId, std::uint32_t> warp_words_;
   std::unordered_map<SymbolId, std::uint32_t> param_words_;
 
   std::vector<std::uint32_t> streams_;  // states of rand()

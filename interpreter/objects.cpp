@@ -153,7 +153,29 @@ scene::ObjectId Interpreter::read_object(const Token& word) {
   return add_object(std::move(node));
 }
 
-/// The operands of a primitive or pattern: positional ones in order, then flags and keyword ones.
+/// One operand, behind its word if it has one.
+void Interpreter::read_operand(const scene::Param& p, double* out) {
+  last_span_ = peek().span;
+  switch (p.kind) {
+    case scene::ArgKind::number: *out = read_scalar(p.doc); break;
+    case scene::ArgKind::flag: *out = 1; break;
+    case scene::ArgKind::pair:
+      out[0] = read_scalar(p.doc);
+      optional_comma();
+      if (starts_number(peek())) out[1] = read_scalar(p.doc);
+      break;
+    case scene::ArgKind::vector2:
+    case scene::ArgKind::vector: {
+      const int n = p.kind == scene::ArgKind::vector ? 3 : 2;
+      const Num v = fit(read_num(n), n);
+      for (int k = 0; k < n; ++k) out[k] = v.v[static_cast<std::size_t>(k)];
+      break;
+    }
+  }
+}
+
+/// The operands of a primitive, pattern or warp: positional ones in order, then flags and keyword
+/// ones.
 std::vector<double> Interpreter::read_operands(const scene::TypeInfo& info, const Token& word) {
   std::vector<double> args;
   args.reserve(info.arg_count());
@@ -165,22 +187,7 @@ std::vector<double> Interpreter::read_operands(const scene::TypeInfo& info, cons
     has_words |= !p.positional;
     args.insert(args.end(), p.fallback.begin(), p.fallback.begin() + scene::width(p.kind));
   }
-  const auto put = [&](std::size_t i) {
-    const scene::Param& p = info.params[i];
-    double* out = &args[offsets[i]];
-    last_span_ = peek().span;
-    switch (p.kind) {
-      case scene::ArgKind::number: *out = read_scalar(p.doc); break;
-      case scene::ArgKind::flag: *out = 1; break;
-      case scene::ArgKind::vector2:
-      case scene::ArgKind::vector: {
-        const int n = p.kind == scene::ArgKind::vector ? 3 : 2;
-        const Num v = fit(read_num(n), n);
-        for (int k = 0; k < n; ++k) out[k] = v.v[static_cast<std::size_t>(k)];
-        break;
-      }
-    }
-  };
+  const auto put = [&](std::size_t i) { read_operand(info.params[i], &args[offsets[i]]); };
   for (std::size_t i = 0; i < info.params.size(); ++i) {
     const scene::Param& p = info.params[i];
     if (!p.positional) continue;

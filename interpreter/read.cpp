@@ -198,7 +198,8 @@ bool ends_expression(const Frame& f, std::uint32_t pos, bool full) {
     case ast::ItemKind::brackets: return true;
     case ast::ItemKind::directive:
     case ast::ItemKind::literals: return false;
-    case ast::ItemKind::expr: return leading_sign(*f.tree, item.ref) == nullptr;
+    case ast::ItemKind::expr:  // the body of a macro may begin with an operator
+      return leading_sign(*f.tree, item.ref) == nullptr && !f.tree->exprs[item.ref].may_expand;
     case ast::ItemKind::punct:
       return !is_operator(item.detail) && item.detail != '.' &&
              !(full && (is_full_operator(item.detail) || item.detail == ':'));

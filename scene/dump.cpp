@@ -27,6 +27,8 @@ static_assert(complete<Camera>);
 static_assert(complete<SkySphere>);
 static_assert(complete<Settings>);
 static_assert(complete<PigmentEntry>);
+static_assert(complete<Warp>);
+static_assert(complete<Pattern>);
 static_assert(complete<Pigment>);
 static_assert(complete<Finish>);
 static_assert(complete<Layer>);
@@ -229,9 +231,10 @@ class Dumper {
     if constexpr (std::is_same_v<Member, std::uint32_t>) {
       if (x.*f.member == none) return out_.nothing(f.name);
     }
-    if constexpr (std::is_same_v<T, Object> || std::is_same_v<T, Pigment>) {
+    if constexpr (std::is_same_v<T, Object> || std::is_same_v<T, Pattern> ||
+                  std::is_same_v<T, Warp>) {
       if (f.role == Role::operands) return operands(type_of(x), x.args);
-      if (f.role == Role::primitive || f.role == Role::pattern) {
+      if (f.role == Role::primitive || f.role == Role::pattern || f.role == Role::warp) {
         return out_.word(f.name, type_of(x)->name);
       }
     }
@@ -241,8 +244,11 @@ class Dumper {
   const TypeInfo* type_of(const Object& o) const {
     return o.type == none ? nullptr : registry_.primitives[o.type];
   }
-  const TypeInfo* type_of(const Pigment& p) const {
-    return p.pattern == none ? nullptr : registry_.patterns[p.pattern];
+  const TypeInfo* type_of(const Pattern& p) const {
+    return p.type == none ? nullptr : registry_.patterns[p.type];
+  }
+  const TypeInfo* type_of(const Warp& p) const {
+    return p.type == none ? nullptr : registry_.warps[p.type];
   }
 
   /// By name; what an open-ended type takes beyond its parameters is called `more`.

@@ -15,7 +15,8 @@ enum class Role : std::uint8_t {
   id,         // index into one of the scene's vectors; `none` if there is nothing
   primitive,  // index into Registry::primitives
   pattern,    // index into Registry::patterns
-  operands,   // laid out by the Params of the primitive or pattern in the same struct
+  warp,       // index into Registry::warps
+  operands,   // laid out by the Params of the type in the same struct
   place,      // OriginId
 };
 
@@ -159,18 +160,33 @@ struct Fields<PigmentEntry> {
 };
 
 template <>
+struct Fields<Warp> {
+  static constexpr std::tuple all{field("type", &Warp::type, Role::warp),
+                                  field("args", &Warp::args, Role::operands),
+                                  field("transform", &Warp::transform),
+                                  field("classic", &Warp::classic)};
+};
+
+template <>
+struct Fields<Pattern> {
+  static constexpr std::tuple all{field("type", &Pattern::type, Role::pattern),
+                                  field("args", &Pattern::args, Role::operands),
+                                  field("function", &Pattern::function),
+                                  field("warps", &Pattern::warps),
+                                  field("transform", &Pattern::transform),
+                                  field("frequency", &Pattern::frequency),
+                                  field("phase", &Pattern::phase),
+                                  field("wave", &Pattern::wave),
+                                  field("wave_exponent", &Pattern::wave_exponent),
+                                  field("noise_generator", &Pattern::noise_generator)};
+};
+
+template <>
 struct Fields<Pigment> {
-  static constexpr std::tuple all{field("pattern", &Pigment::pattern, Role::pattern),
-                                  field("args", &Pigment::args, Role::operands),
-                                  field("function", &Pigment::function),
+  static constexpr std::tuple all{field("pattern", &Pigment::pattern),
                                   field("colour", &Pigment::colour),
                                   field("entries", &Pigment::entries),
                                   field("children", &Pigment::children),
-                                  field("transform", &Pigment::transform),
-                                  field("frequency", &Pigment::frequency),
-                                  field("phase", &Pigment::phase),
-                                  field("wave", &Pigment::wave),
-                                  field("wave_exponent", &Pigment::wave_exponent),
                                   field("uv_mapping", &Pigment::uv_mapping),
                                   field("origin", &Pigment::origin, Role::place),
                                   field("unsupported", &Pigment::unsupported)};

@@ -9,15 +9,13 @@
 #include "base/boxed.h"
 #include "base/colour.h"
 #include "base/transform.h"
-#include "functions/tape.h"
 #include "scene/origin.h"
-#include "scene/type_info.h"
+#include "scene/pattern.h"
 
 namespace durer::scene {
 
 using TextureId = std::uint32_t;
 using InteriorId = std::uint32_t;
-inline constexpr std::uint32_t none = 0xFFFFFFFF;
 
 struct Pigment;
 
@@ -29,19 +27,12 @@ struct PigmentEntry {
   std::uint32_t pigment = none;
 };
 
-/// A colour for every point. `pattern` == none: the plain `colour` everywhere.
+/// A colour for every point. Without a pattern: the plain `colour` everywhere.
 struct Pigment {
-  std::uint32_t pattern = none;  // index into Registry::patterns
-  std::vector<double> args;      // the pattern's operands, laid out by its Params
-  functions::FunctionRef function;  // of x, y, z; what the pattern `function` evaluates
+  Pattern pattern;
   Colour colour;
   std::vector<PigmentEntry> entries;  // in written order, never sorted (textures §11.1)
   std::vector<Pigment> children;
-  SharedTransform transform;  // pattern space → the texture's space
-  float frequency = 1;
-  float phase = 0;
-  Wave wave = Wave::ramp;
-  float wave_exponent = 1;
   /// Looked up at (u, v, 0) of the object; transformations of the texture do not move it.
   bool uv_mapping = false;
   OriginId origin = 0;

@@ -19,11 +19,17 @@ enum class ArgKind : std::uint8_t {
   number,   // one expression of one component: 1 double
   vector2,  // 2 doubles
   vector,   // 3 doubles; a float is promoted
+  pair,     // two expressions of one component: 2 doubles
   flag,     // a word without operand: 1 double, 0 or 1
 };
 
 [[nodiscard]] constexpr std::size_t width(ArgKind kind) {
-  return kind == ArgKind::vector ? 3 : kind == ArgKind::vector2 ? 2 : 1;
+  switch (kind) {
+    case ArgKind::vector: return 3;
+    case ArgKind::vector2:
+    case ArgKind::pair: return 2;
+    default: return 1;
+  }
 }
 
 /// One operand. Positional ones come first, in order, with optional commas between them; the others
@@ -71,6 +77,7 @@ struct PatternInfo : TypeInfo {
   int list_size = 0;
   /// Entries used where none are written: colours of a list at keys 0, 1, 2…, or a default map.
   std::span<const MapEntry> default_map;
+  bool unwrapped = false;  // frequency is 0 unless it is set; so it is for block patterns
   bool takes_function = false;  // `{ … }` of x, y, z follows its name
 };
 
@@ -79,6 +86,7 @@ struct PatternInfo : TypeInfo {
 struct Registry {
   std::span<const TypeInfo* const> primitives;
   std::span<const PatternInfo* const> patterns;
+  std::span<const TypeInfo* const> warps = {};
 };
 
 }  // namespace durer::scene

@@ -4,6 +4,7 @@
 #include "tracer/patterns/patterns.h"
 #include "tracer/primitives/registry.h"
 #include "tracer/unsupported.h"
+#include "tracer/warps/warps.h"
 
 namespace durer::tracer {
 namespace {
@@ -85,7 +86,7 @@ void find_camera(const scene::Scene& scene, CompiledScene& out) {
 }  // namespace
 
 const scene::Registry& registry() {
-  static const scene::Registry all{primitive_infos(), pattern_infos()};
+  static const scene::Registry all{primitive_infos(), pattern_infos(), warp_infos()};
   return all;
 }
 

@@ -7,13 +7,14 @@ namespace {
 
 /// A pigment of its own, outside of any texture: its space is that of the arguments.
 struct Compiled {
+  explicit Compiled(const scene::Settings& settings) : store(settings) {}
   PigmentStore store;
   PigmentId id = 0;
 };
 
-functions::External make(const scene::Pigment& pigment, std::string name, int components,
+functions::External make(const scene::Scene& scene, const scene::Pigment& pigment, std::string name, int components,
                          functions::External::Point point) {
-  auto compiled = std::make_shared<Compiled>();
+  auto compiled = std::make_shared<Compiled>(scene.settings);
   compiled->id = compiled->store.add(pigment, {});
   functions::External e;
   e.name = std::move(name);
@@ -40,13 +41,13 @@ void colour_at(const void* self, const functions::Context&, const double* p, dou
 
 class Queries final : public scene::PigmentQueries {
  public:
-  functions::External pattern_function(const scene::Scene&,
+  functions::External pattern_function(const scene::Scene& scene,
                                        const scene::Pigment& pigment) override {
-    return make(pigment, "pattern", 1, &pattern_at);
+    return make(scene, pigment, "pattern", 1, &pattern_at);
   }
-  functions::External pigment_function(const scene::Scene&,
+  functions::External pigment_function(const scene::Scene& scene,
                                        const scene::Pigment& pigment) override {
-    return make(pigment, "pigment", functions::max_components, &colour_at);
+    return make(scene, pigment, "pigment", functions::max_components, &colour_at);
   }
 };
 

@@ -1,17 +1,19 @@
 # Shading, lights, cameras, transport and film: what makes a picture of the geometry.
 find_package(TBB REQUIRED)
 durer_entries(pattern_sources patterns/patterns.def patterns)
+durer_entries(warp_sources warps/warps.def warps)
 
 durer_library(tracer
   SOURCES
     compile.cpp pigment_queries.cpp unsupported.cpp
-    patterns/patterns.cpp ${pattern_sources}
+    patterns/patterns.cpp patterns/program.cpp ${pattern_sources}
+    warps/warps.cpp ${warp_sources}
     shading/finish.cpp shading/interior.cpp shading/pigment.cpp shading/sky.cpp shading/spectrum.cpp
     shading/texture.cpp
     lights/light.cpp
     transport/light.cpp transport/surface.cpp transport/trace.cpp
     film/antialias.cpp film/jitter.cpp film/progress.cpp film/render.cpp
-  LINKS durer::functions durer::geometry durer::scene
+  LINKS durer::geometry durer::scene durer::functions
   PRIVATE_LINKS TBB::tbb fmt::fmt)
 if(TARGET durer::image)
   target_link_libraries(durer_tracer PUBLIC durer::image)

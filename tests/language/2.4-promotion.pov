@@ -90,8 +90,7 @@ global_settings { assumed_gamma 1 }
 
 //= a vector where a float is wanted
 #declare A = sin(<1,2,3>);
-// before
-// error: D0204 at 0:0
+// error: D0204 at 1:18
 
 //= a colour where a point is wanted
 #declare C = rgb 1; sphere { C, 1 }
@@ -99,8 +98,7 @@ global_settings { assumed_gamma 1 }
 
 //= a four-vector where a vector is wanted
 #declare A = vlength(<1,2,3,4>);
-// before
-// error: D0204 at 0:0
+// error: D0204 at 1:22
 
 //= a uv-vector as a point
 #debug concat(str(vlength(<3,4>), 0, 6), "\n")

@@ -212,4 +212,4 @@ global_settings { assumed_gamma 1 }
 
 //= a string is no colour
 #declare A = rgb "red";
-// error: D0201 at 1:23
+// error: D0204 at 1:18

@@ -51,7 +51,7 @@ global_settings { assumed_gamma 1 }
 
 //= components are no targets
 #declare V = <1,2,3>; #declare V.x = 5;
-// error: D0101 at 1:33
+// error: D0204 at 1:32
 
 //= a function cannot be declared again
 #declare F = function(A) { A } #declare F = function(A) { A*2 }
@@ -104,11 +104,6 @@ global_settings { assumed_gamma 1 }
 // expect: 1.000,1.000,1.000
 // expect: 6.000,1.000,1.000
 // expect: 1.000,1.000,1.000
-
-//= the short form of a declaration
-declare A = 1;
-#debug concat(str(A, 0, 0), "\n")
-// expect: 1
 
 //= deprecated names work
 #declare deprecated A = 1; #declare deprecated once "use B" B = 2;

@@ -40,8 +40,7 @@ global_settings { assumed_gamma 1 }
 //= a component of the last operand
 #macro W() x+<1,2,3> #end
 #debug concat(str((W().y), 0, 0), "\n")
-// before
-// error: D0204 at 0:0
+// error: D0204 at 2:19
 
 //= a body of operators
 #macro Plus() +1 #end
@@ -205,4 +204,4 @@ M() #macro M() #end
 
 //= below version 3.1 macros are errors
 #version 3.0; #macro M() #end
-// beyond
+// error: D0306 at 1:22

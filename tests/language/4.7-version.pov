@@ -21,4 +21,4 @@ global_settings { assumed_gamma 1 }
 
 //= unofficial versions
 #version unofficial patch 1.0;
-// error: D0203 at 1:10
+// error: D0203 at 1:21

@@ -43,7 +43,7 @@ object { O[0] } sphere { 0, 1 pigment { P[0] } } sphere { 0, 1 texture { T[0] } 
 
 //= six dimensions
 #declare A = array[1][1][1][1][1][1]
-// error: D0303 at 1:14
+// error: D0302 at 1:14
 
 //= sizes are truncated with a tolerance
 #declare A = array[2.9] #declare B = array[2.99999999999]

@@ -92,8 +92,7 @@ global_settings { assumed_gamma 1 }
 
 //= a spline is no float
 #declare S = spline { 0, 1 1, 3 } #declare A = sin(S(.5));
-// before
-// error: D0204 at 0:0
+// error: D0204 at 1:52
 
 //= lengths
 #declare S = spline { 0, <1,2> 1, <3,4,5> } #declare T = spline { 0, <1,2,3,4,5> 1, <5,4,3,2,1> } #declare C = rgb 1; #declare U = spline { 0, C 1, C*2 }

@@ -56,14 +56,6 @@ default { pigment { rgb 1 } }
 #debug concat("fine", "\n")
 // expect: fine
 
-//= 13: declare and version without their signs
-declare A = 5; version 3.7; declare O = sphere { 0, A } declare C = rgb 1;
-#debug concat(str(A, 0, 0), "\n")
-#debug concat(vstr(3, max_extent(O), ",", 0, 3), "\n")
-#debug concat(vstr(3, C, ",", 0, 3), "\n")
-// before
-// error: D0201 at 1:1
-
 //= 15: a double entry of a map
 sphere { 0, 1 pigment { gradient x color_map { [0 0.5 color rgb 1 color rgb 0] [0.5 1 color rgb 0 color rgb 1] } } }
 #debug concat("fine", "\n")

@@ -85,8 +85,10 @@ def _pigment(w: Writer) -> None:
                       "checker rgb 1, rgb <1,0.5,0>", "gradient y color_map { [0 rgb x] [0.5 rgb y] [1 rgb z] } scale 3"))
     w.line(f"#declare {name} = function {{ pigment {{ {pigment} }} }}")
     point = ", ".join(f"{w.rng.uniform(0, 3):.3f}" for _ in range(3))
-    w.show("c", f"{name}({point})")
-    w.show("f", f"{name}({point}).{w.pick(('red', 'green', 'blue', 'filter', 'transmit', 'gray', 'x', 't'))}")
+    # Colours are single precision, and interpolated so.
+    w.line(f'#debug concat(vstr(5, {name}({point}) + 1e-9, " ", 0, 5), "\\n")')
+    member = w.pick(("red", "green", "blue", "filter", "transmit", "gray", "x", "t"))
+    w.line(f'#debug concat(str({name}({point}).{member} + 1e-9, 0, 5), "\\n")')
     outer = w.fresh("Fn")
     w.line(f"#declare {outer} = function {{ {name}(x, y, z).{w.pick(('gray', 'red', 'hf', 'grey', 'blue'))}*2 }}")
-    w.show("f", f"{outer}({point})")
+    w.line(f'#debug concat(str({outer}({point}) + 1e-9, 0, 5), "\\n")')

@@ -1,8 +1,7 @@
-#include "tracer/patterns/function.h"
-
 #include <cmath>
 
 #include "functions/evaluate.h"
+#include "tracer/patterns/pattern_type.h"
 
 namespace durer::tracer::patterns {
 namespace {
@@ -13,6 +12,11 @@ struct FunctionPattern {
   functions::NoiseGenerator noise_generator = 2;
 
   static constexpr std::array samples{Sample{{1, 2, 3}, 0}};
+
+  void prepare(const PatternContext& context) {
+    tape = context.function;
+    noise_generator = context.noise_generator;
+  }
 
   double operator()(dvec3 p) const {
     if (tape == nullptr) return 0;
@@ -26,13 +30,6 @@ struct FunctionPattern {
 };
 
 }  // namespace
-
-void bind_function(PatternState& state, const functions::Function& tape,
-                   functions::NoiseGenerator noise_generator) {
-  auto* pattern = std::launder(reinterpret_cast<FunctionPattern*>(state.bytes.data()));
-  pattern->tape = &tape;
-  pattern->noise_generator = noise_generator;
-}
 
 extern constinit const PatternType function_pattern =
     describe_pattern<FunctionPattern>("function", "The value of a function of x, y and z.",

@@ -3,13 +3,11 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <new>
 #include <span>
-#include <type_traits>
 
-#include "base/vec.h"
-#include "scene/type_info.h"
+#include "functions/noise.h"
+#include "functions/tape.h"
+#include "tracer/patterns/operand.h"
 
 namespace durer::tracer {
 
@@ -19,16 +17,35 @@ struct PatternSample {
   double value;
 };
 
-/// Room for the pattern's own struct inside a texture program.
-struct PatternState {
-  alignas(double) std::array<std::byte, 64> bytes;
+/// What patterns may have to know beside their operands. Spans and pointers outlive the pattern.
+struct PatternContext {
+  functions::NoiseGenerator noise_generator = 2;
+  std::span<const functions::WaveSource> waves;
+  float frequency = 1;
+  float phase = 0;
+  dvec3 turbulence{0.0};         // of `turbulence` outside of any warp
+  functions::Octaves octaves;    // of the same
+  const functions::Function* function = nullptr;  // what the pattern `function` evaluates
+};
+
+/// A surface as a ray meets it, for patterns that depend on more than the place.
+struct SurfaceView {
+  dvec3 p{0.0};  // world point
+  dvec3 d{0.0};  // unit direction of the ray
+  dvec3 n{0.0};  // the normal so far, towards the viewer
 };
 
 /// A pattern as the tracer runs it. `evaluate` is the raw value before frequency, phase and wave
-/// (textures §3, step 2).
+/// (textures §3, step 2); `view` is null away from surfaces.
 struct PatternType : scene::PatternInfo {
-  void (*prepare)(std::span<const double> args, PatternState& state) = nullptr;
-  double (*evaluate)(const PatternState& state, dvec3 p) = nullptr;
+  void (*prepare)(std::span<const double> args, const PatternContext& context,
+                  PatternState& state) = nullptr;
+  double (*evaluate)(const PatternState& state, dvec3 p, const SurfaceView* view) = nullptr;
+  /// Bumps of a kind of their own: what becomes of the normal `n` at `p`. Null: the slope of
+  /// `evaluate` makes the bumps.
+  dvec3 (*perturb)(const PatternState& state, dvec3 p, dvec3 n, double amount) = nullptr;
+  bool averages = false;        // has no value: all entries of its map count, by weight
+  bool own_turbulence = false;  // does itself what `turbulence` outside of any warp asks for
   std::span<const PatternSample> samples;
 };
 
@@ -36,114 +53,55 @@ namespace patterns {
 
 using Sample = PatternSample;
 
-/// An operand as a member of P.
-template <typename P>
-struct Operand {
-  scene::Param param;
-  void (*load)(P& pattern, const double* args) = nullptr;
-  void (*store)(const P& pattern, double* args) = nullptr;
-};
-
 namespace detail {
 
-template <typename>
-struct MemberOf;
-template <typename P, typename T>
-struct MemberOf<T P::*> {
-  using Owner = P;
-  using Type = T;
-};
-
-constexpr void load(double& to, const double* from) { to = from[0]; }
-constexpr void load(dvec3& to, const double* from) { to = {from[0], from[1], from[2]}; }
-constexpr void store(double from, double* to) { to[0] = from; }
-constexpr void store(dvec3 from, double* to) { to[0] = from.x, to[1] = from.y, to[2] = from.z; }
-
-template <auto member>
-constexpr auto operand(std::string_view name, std::string_view doc, bool positional) {
-  using P = typename MemberOf<decltype(member)>::Owner;
-  using T = typename MemberOf<decltype(member)>::Type;
-  constexpr bool vector = std::is_same_v<T, dvec3>;
-  Operand<P> o;
-  o.param.name = name;
-  o.param.kind = vector ? scene::ArgKind::vector : scene::ArgKind::number;
-  o.param.doc = doc;
-  o.param.positional = positional;
-  o.param.optional = !positional;
-  o.load = [](P& p, const double* args) { detail::load(p.*member, args); };
-  o.store = [](const P& p, double* args) { detail::store(p.*member, args); };
-  return o;
+template <typename P>
+void prepare(std::span<const double> args, const PatternContext& context, PatternState& state) {
+  P& pattern = load_all<P>(args, state);
+  if constexpr (requires { pattern.prepare(context); }) {
+    pattern.prepare(context);
+  } else if constexpr (requires { pattern.prepare(); }) {
+    pattern.prepare();
+  }
 }
 
 template <typename P>
-concept HasOperands = requires {
-  P::operands.size();
-};
-
-// The operands of P as the language sees them; a default value is that of the member.
-template <typename P>
-constexpr auto params_of() {
-  if constexpr (HasOperands<P>) {
-    std::array<scene::Param, P::operands.size()> params{};
-    for (std::size_t i = 0; i < params.size(); ++i) {
-      params[i] = P::operands[i].param;
-      P::operands[i].store(P{}, params[i].fallback.data());
-    }
-    return params;
+double evaluate(const PatternState& state, dvec3 p, [[maybe_unused]] const SurfaceView* view) {
+  if constexpr (requires(const P& pattern) { pattern(p, view); }) {
+    return state.as<P>()(p, view);
   } else {
-    return std::array<scene::Param, 0>{};
+    return state.as<P>()(p);
   }
 }
 
 template <typename P>
-inline constexpr auto params = params_of<P>();
+concept Perturbs = requires(const P& pattern) { pattern.perturb(dvec3(), dvec3(), 0.0); };
 
 template <typename P>
-void prepare(std::span<const double> args, PatternState& state) {
-  P* pattern = ::new (state.bytes.data()) P{};
-  if constexpr (HasOperands<P>) {
-    const double* next = args.data();
-    for (const Operand<P>& o : P::operands) {
-      o.load(*pattern, next);
-      next += scene::width(o.param.kind);
-    }
-  }
-  if constexpr (requires { pattern->prepare(); }) pattern->prepare();
-}
-
-template <typename P>
-double evaluate(const PatternState& state, dvec3 p) {
-  return (*std::launder(reinterpret_cast<const P*>(state.bytes.data())))(p);
+dvec3 perturb(const PatternState& state, dvec3 p, dvec3 n, double amount) {
+  return state.as<P>().perturb(p, n, amount);
 }
 
 }  // namespace detail
-
-/// An operand that stands right after the pattern's name.
-template <auto member>
-constexpr auto positional(std::string_view name, std::string_view doc) {
-  return detail::operand<member>(name, doc, true);
-}
-
-/// An operand behind a word of its own, which may be missing.
-template <auto member>
-constexpr auto keyword(std::string_view name, std::string_view doc) {
-  return detail::operand<member>(name, doc, false);
-}
 
 /// Options of a description beyond name and words.
 struct PatternTraits {
   scene::Wave wave = scene::Wave::ramp;
   int list_size = 0;
   std::span<const scene::MapEntry> default_map;
+  bool unwrapped = false;
+  bool own_turbulence = false;
+  bool averages = false;
   bool takes_function = false;
 };
 
 /// Describes the pattern P: default members, `operands` (optional), `samples`, an optional
-/// `prepare()` for what depends on operands alone, and `double operator()(dvec3) const`.
+/// `prepare()` for what depends on operands alone (or `prepare(context)`), and
+/// `double operator()(dvec3) const`, which may take a `const SurfaceView*` too. An optional
+/// `dvec3 perturb(dvec3 p, dvec3 n, double amount) const` is its form as a normal.
 template <typename P>
 constexpr PatternType describe_pattern(std::string_view name, std::string_view doc,
                                        PatternTraits traits) {
-  static_assert(std::is_trivially_copyable_v<P> && sizeof(P) <= sizeof(PatternState));
   static_assert(P::samples.size() > 0, "a pattern brings its own evidence");
   PatternType type;
   type.name = name;
@@ -152,7 +110,11 @@ constexpr PatternType describe_pattern(std::string_view name, std::string_view d
   type.wave = traits.wave;
   type.list_size = traits.list_size;
   type.default_map = traits.default_map;
+  type.unwrapped = traits.unwrapped || traits.list_size > 0;
+  type.own_turbulence = traits.own_turbulence;
+  type.averages = traits.averages;
   type.takes_function = traits.takes_function;
+  if constexpr (detail::Perturbs<P>) type.perturb = &detail::perturb<P>;
   type.prepare = &detail::prepare<P>;
   type.evaluate = &detail::evaluate<P>;
   type.samples = P::samples;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "scene/texture.h"
-#include "tracer/patterns/pattern_type.h"
+#include "tracer/patterns/program.h"
 
 namespace durer::tracer {
 
@@ -16,12 +16,15 @@ using PigmentId = std::uint32_t;
 /// All pigments of a compiled scene.
 class PigmentStore {
  public:
+  explicit PigmentStore(const scene::Settings& settings = {}) : patterns_(settings) {}
+
   /// Adds a pigment and everything below it. `to_world` leads from the space around the pigment to
   /// the world.
   PigmentId add(const scene::Pigment& pigment, const Transform& to_world);
 
   /// The pigment's colour at a world point (textures §3, §11.1).
-  [[nodiscard]] Colour at(PigmentId id, dvec3 p) const;
+  /// `view`: what a ray sees there, for patterns that ask; null away from surfaces.
+  [[nodiscard]] Colour at(PigmentId id, dvec3 p, const SurfaceView* view = nullptr) const;
 
   /// The value that its pattern selects colours with, at a world point; 0 if it has no pattern.
   [[nodiscard]] double pattern_value(PigmentId id, dvec3 p) const;
@@ -36,29 +39,19 @@ class PigmentStore {
     Colour colour;
   };
   struct Node {
-    const PatternType* pattern = nullptr;  // null: `colour` everywhere
-    bool moved = false;
-    scene::Wave wave = scene::Wave::ramp;
-    float frequency = 1;
-    float phase = 0;
-    float wave_exponent = 1;
+    PatternProgram pattern;  // of no type: `colour` everywhere
+    Colour colour;
     std::uint32_t first_entry = 0;
     std::uint32_t end_entry = 0;
-    Colour colour;
-    Affine to_pattern;
-    PatternState state;
   };
 
-  [[nodiscard]] double value(const Node& node, dvec3 p) const;
-  [[nodiscard]] Colour select(const Node& node, double value, dvec3 p) const;
-  [[nodiscard]] Colour entry_colour(const Entry& entry, dvec3 p) const;
+  [[nodiscard]] Colour select(const Node& node, double value, dvec3 warped,
+                              const SurfaceView* view) const;
+  [[nodiscard]] Colour entry_colour(const Entry& entry, dvec3 p, const SurfaceView* view) const;
 
+  PatternStore patterns_;
   std::vector<Node> nodes_;
   std::vector<Entry> entries_;
-  std::vector<functions::FunctionRef> functions_;  // that nodes point to
 };
-
-/// The wave form that shapes a pattern's value, 0…1 (textures §3, step 5).
-[[nodiscard]] double shape_wave(scene::Wave wave, float exponent, double value);
 
 }  // namespace durer::tracer

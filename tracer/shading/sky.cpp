@@ -6,7 +6,9 @@
 namespace durer::tracer {
 
 Sky::Sky(const scene::Scene& scene)
-    : background_(scene.background), legacy_(scene.settings.effective_version < 370) {
+    : background_(scene.background),
+      legacy_(scene.settings.effective_version < 370),
+      pigments_(scene.settings) {
   if (!scene.sky_sphere) return;
   emission_ = scene.sky_sphere->emission;
   for (const scene::Pigment& p : scene.sky_sphere->pigments) {

@@ -9,7 +9,7 @@ namespace {
 // A texture of plain colours looks the same wherever it is placed.
 bool has_pattern(const scene::Texture& texture) {
   return std::any_of(texture.layers.begin(), texture.layers.end(),
-                     [](const scene::Layer& l) { return l.pigment->pattern != scene::none; });
+                     [](const scene::Layer& l) { return l.pigment->pattern.exists(); });
 }
 
 }  // namespace

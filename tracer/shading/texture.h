@@ -31,7 +31,7 @@ struct TextureProgram {
 /// All textures of a compiled scene.
 class TextureStore {
  public:
-  explicit TextureStore(const scene::Scene& scene) : scene_(&scene) {}
+  explicit TextureStore(const scene::Scene& scene) : scene_(&scene), pigments_(scene.settings) {}
 
   /// The program of a texture at a place; the same one for the same place.
   ProgramId add(const scene::TextureUse& use);

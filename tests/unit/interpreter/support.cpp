@@ -37,7 +37,7 @@ constexpr scene::PatternInfo checker = {
 constexpr scene::PatternInfo gradient = {
     {"gradient", "Bands.", gradient_params}, scene::Wave::ramp, 0, grey_map};
 constexpr scene::PatternInfo function = {
-    {"function", "The value of a function.", {}}, scene::Wave::ramp, 0, grey_map, true};
+    {"function", "The value of a function.", {}}, scene::Wave::ramp, 0, grey_map, false, true};
 constexpr std::array<const scene::PatternInfo*, 3> patterns = {&checker, &gradient, &function};
 
 }  // namespace

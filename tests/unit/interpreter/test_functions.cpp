@@ -170,15 +170,16 @@ TEST_CASE("functions: pigments hold the tapes of their patterns", "[interpreter]
   const Run r =
       run("#declare A = 2; #declare P = pigment { function { A*x+y } scale 3 } #declare A = 5; "
           "sphere { 0, 1 pigment { P } } sphere { 0, 1 pigment { P gradient x } }");
+  for (const auto& e : r.errors) UNSCOPED_INFO(e);
   REQUIRE(r.scene);
   const auto pigment = [&](std::size_t i) -> scene::Pigment {
     const scene::Object& o = r.scene->objects[r.scene->roots[i].object];
     return r.scene->textures[o.texture.texture].layers[0].pigment.get();
   };
-  REQUIRE(pigment(0).function);
+  REQUIRE(pigment(0).pattern.function);
   functions::Workspace w;
-  CHECK(functions::evaluate(*pigment(0).function, std::array{1.0, 2.0, 3.0}, w) == 4);
-  CHECK_FALSE(pigment(1).function);
+  CHECK(functions::evaluate(*pigment(0).pattern.function, std::array{1.0, 2.0, 3.0}, w) == 4);
+  CHECK_FALSE(pigment(1).pattern.function);
   CHECK(error("#declare P = pigment { function { internal(57) } }") ==
         "`internal` must be the whole body of a function");
 }

@@ -102,7 +102,7 @@ TEST_CASE("dump: operands have the names of the registry", "[scene][dump]") {
   Scene scene;
   scene.objects.push_back(some_ball());
   Pigment pigment;
-  pigment.pattern = 0;
+  pigment.pattern.type = 0;
   scene.sky_sphere = SkySphere{.pigments = {pigment}, .transform = {}};
   const Json json = json_of(scene);
   const Json& object = json["objects"][0];
@@ -110,7 +110,7 @@ TEST_CASE("dump: operands have the names of the registry", "[scene][dump]") {
   CHECK(object["args"]["centre"] == Json({1, 2, 3}));
   CHECK(object["args"]["radius"] == 0.5);
   CHECK(object["args"]["more"] == Json({7, 8}));
-  CHECK(json["sky_sphere"]["pigments"][0]["pattern"] == "stripes");
+  CHECK(json["sky_sphere"]["pigments"][0]["pattern"]["type"] == "stripes");
 }
 
 TEST_CASE("dump: text leaves out what has its default", "[scene][dump]") {

@@ -20,9 +20,12 @@ std::vector<double> default_args(const PatternType& type) {
 }
 
 double value_of(const PatternType& type, const std::vector<double>& args, dvec3 p) {
+  static const std::vector<functions::WaveSource> waves = functions::wave_sources(10);
+  PatternContext context;
+  context.waves = waves;
   PatternState state;
-  type.prepare(args, state);
-  return type.evaluate(state, p);
+  type.prepare(args, context, state);
+  return type.evaluate(state, p, nullptr);
 }
 
 }  // namespace
@@ -97,12 +100,14 @@ TEST_CASE("patterns: values are the oracle's on a cloud of points", "[tracer][pa
   for (const Row& row : rows) {
     // A map that shows the value itself, after the whole pipeline.
     scene::Pigment pigment;
-    pigment.pattern = names.pattern(row.name);
-    pigment.args = row.args;
-    const scene::PatternInfo& info = *registry().patterns[pigment.pattern];
-    if (pigment.args.empty()) pigment.args = default_args(*pattern_types()[pigment.pattern]);
-    pigment.frequency = info.list_size > 0 ? 0 : 1;
-    pigment.wave = info.wave;
+    pigment.pattern.type = names.pattern(row.name);
+    pigment.pattern.args = row.args;
+    const scene::PatternInfo& info = *registry().patterns[pigment.pattern.type];
+    if (pigment.pattern.args.empty()) {
+      pigment.pattern.args = default_args(*pattern_types()[pigment.pattern.type]);
+    }
+    pigment.pattern.frequency = info.unwrapped ? 0 : 1;
+    pigment.pattern.wave = info.wave;
     pigment.entries = {{0, test::rgbft(0, 0, 0), scene::none},
                        {8, test::rgbft(8, 0, 0), scene::none}};
     PigmentStore store;

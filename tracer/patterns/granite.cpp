@@ -1,0 +1,36 @@
+#include <algorithm>
+#include <cmath>
+
+#include "tracer/patterns/pattern_type.h"
+
+namespace durer::tracer::patterns {
+namespace {
+
+// Six octaves of folded noise (textures §5).
+struct Granite {
+  functions::NoiseGenerator generator = 2;
+
+  static constexpr std::array samples{
+      Sample{{0.1, 0.2, 0.3}, 0.643653545756},
+      Sample{{-1.5, 2.25, 7.75}, 0.512001498817},
+      Sample{{123.4, -56.7, 8.9}, 0.268233185530},
+  };
+  void prepare(const PatternContext& context) { generator = context.noise_generator; }
+  double operator()(dvec3 p) const {
+    double sum = 0;
+    double frequency = 1;
+    for (int i = 0; i < 6; ++i, frequency *= 2) {
+      const double n = functions::noise(4 * frequency * p, generator);
+      const double t = generator < 2 ? std::abs(0.5 - n) : std::min(std::abs(1 - 2 * n), 0.5);
+      sum += t / frequency;
+    }
+    return sum;
+  }
+};
+
+}  // namespace
+
+extern constinit const PatternType granite_pattern =
+    describe_pattern<Granite>("granite", "Fractal granite.", {.default_map = black_to_white});
+
+}  // namespace durer::tracer::patterns

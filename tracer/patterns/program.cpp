@@ -1,0 +1,112 @@
+#include "tracer/patterns/program.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tracer/patterns/patterns.h"
+#include "tracer/warps/turbulence.h"
+#include "tracer/warps/warps.h"
+
+namespace durer::tracer {
+namespace {
+
+dvec3 transform_point(const PatternState& state, dvec3 p) { return state.as<Affine>().point(p); }
+
+// Keeps points representable for the patterns' whole-number arithmetic; NaN becomes a bound.
+dvec3 clamp_point(dvec3 p) {
+  constexpr double limit = 1e17;
+  for (int i = 0; i < 3; ++i) p[i] = std::min(limit, std::max(-limit, p[i]));
+  return p;
+}
+
+}  // namespace
+
+double shape_wave(scene::Wave wave, float exponent, double value) {
+  switch (wave) {
+    case scene::Wave::ramp: return value;
+    case scene::Wave::sine: return (1 + functions::cycloidal(value)) / 2;
+    case scene::Wave::triangle: return functions::triangle(value);
+    case scene::Wave::scallop: return std::abs(functions::cycloidal(value / 2));
+    case scene::Wave::cubic: return value * value * (3 - 2 * value);
+    case scene::Wave::poly: return std::pow(value, static_cast<double>(exponent));
+  }
+  return value;
+}
+
+PatternStore::PatternStore(const scene::Settings& settings)
+    : noise_generator_(settings.noise_generator != 0    ? settings.noise_generator
+                       : settings.declared_version >= 350 ? 2
+                                                          : 1),
+      waves_(std::make_shared<const std::vector<functions::WaveSource>>(
+          functions::wave_sources(settings.number_of_waves))) {}
+
+PatternProgram PatternStore::compile(const scene::Pattern& pattern, const Transform& to_world) {
+  PatternProgram out;
+  if (!pattern.exists()) return out;
+  out.type = pattern_types()[pattern.type];
+  PatternContext context;
+  context.noise_generator =
+      pattern.noise_generator != 0 ? pattern.noise_generator : noise_generator_;
+  context.waves = *waves_;
+  context.frequency = pattern.frequency;
+  context.phase = pattern.phase;
+  if (pattern.function) {
+    context.function = pattern.function.get();
+    functions_.push_back(pattern.function);
+  }
+
+  out.first_step = static_cast<std::uint32_t>(steps_.size());
+  for (std::size_t i = pattern.warps.size(); i-- > 0;) {
+    const scene::Warp& warp = pattern.warps[i];
+    if (warp.classic) {
+      PatternState state;
+      const auto& turbulence = patterns::detail::load_all<warps::Turbulence>(warp.args, state);
+      context.turbulence = turbulence.amount;
+      context.octaves = turbulence.octaves();
+      if (out.type->own_turbulence || turbulence.amount == dvec3(0.0)) continue;
+    }
+    add_step(warp);
+  }
+  out.end_step = static_cast<std::uint32_t>(steps_.size());
+
+  out.type->prepare(pattern.args, context, out.state);
+  const Transform placed = pattern.transform.get().then(to_world);
+  out.moved = !placed.is_identity();
+  out.to_pattern = placed.backward;
+  out.wave = pattern.wave;
+  out.frequency = pattern.frequency;
+  out.phase = pattern.phase;
+  out.wave_exponent = pattern.wave_exponent;
+  return out;
+}
+
+void PatternStore::add_step(const scene::Warp& warp) {
+  Step step;
+  if (warp.type == scene::none) {
+    step.apply = &transform_point;
+    ::new (step.state.bytes.data()) Affine(warp.transform->backward);
+  } else {
+    const WarpType& type = *warp_types()[warp.type];
+    type.prepare(warp.args, step.state);
+    step.apply = type.apply;
+  }
+  steps_.push_back(step);
+}
+
+dvec3 PatternStore::warp(const PatternProgram& program, dvec3 p) const {
+  if (program.moved) p = program.to_pattern.point(p);
+  for (std::uint32_t i = program.first_step; i < program.end_step; ++i) {
+    p = steps_[i].apply(steps_[i].state, p);
+  }
+  return clamp_point(p);
+}
+
+double PatternStore::value(const PatternProgram& program, dvec3 warped, const SurfaceView* view) {
+  double v = program.type->evaluate(program.state, warped, view);
+  // The modulus is a little above 1 so that the value 1 stays 1 and finds the last entry.
+  if (program.frequency != 0) v = std::fmod(v * program.frequency + program.phase, 1.00001);
+  if (v < 0) v -= std::floor(v);
+  return shape_wave(program.wave, program.wave_exponent, v);
+}
+
+}  // namespace durer::tracer

@@ -1,0 +1,61 @@
+// Patterns as flat programs: from a point to the value that selects in a map (textures §3, §4).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "scene/pattern.h"
+#include "scene/scene.h"
+#include "tracer/patterns/pattern_type.h"
+
+namespace durer::tracer {
+
+/// One compiled pattern. The warps it names belong to the PatternStore that made it.
+struct PatternProgram {
+  const PatternType* type = nullptr;  // null: no pattern
+  bool moved = false;
+  scene::Wave wave = scene::Wave::ramp;
+  float frequency = 1;
+  float phase = 0;
+  float wave_exponent = 1;
+  std::uint32_t first_step = 0;
+  std::uint32_t end_step = 0;
+  Affine to_pattern;
+  PatternState state;
+};
+
+/// Compiles patterns, and owns what they share.
+class PatternStore {
+ public:
+  /// Takes the noise generator and the number of waves from `settings`.
+  explicit PatternStore(const scene::Settings& settings = {});
+
+  /// `to_world` leads from the space around the pattern to the world.
+  [[nodiscard]] PatternProgram compile(const scene::Pattern& pattern, const Transform& to_world);
+
+  /// A point as the pattern sees it, after transformations and warps.
+  [[nodiscard]] dvec3 warp(const PatternProgram& program, dvec3 p) const;
+
+  /// The value at a warped point. `view`: what a ray sees there, or null.
+  [[nodiscard]] static double value(const PatternProgram& program, dvec3 warped,
+                                    const SurfaceView* view = nullptr);
+
+ private:
+  struct Step {
+    dvec3 (*apply)(const PatternState& state, dvec3 p) = nullptr;
+    PatternState state;
+  };
+
+  void add_step(const scene::Warp& warp);
+
+  int noise_generator_;
+  // Behind a pointer, so that programs may point to it wherever the store goes.
+  std::shared_ptr<const std::vector<functions::WaveSource>> waves_;
+  std::vector<Step> steps_;
+  std::vector<functions::FunctionRef> functions_;  // that programs point to
+};
+
+/// The wave form that shapes a pattern's value, 0…1 (textures §3, step 5).
+[[nodiscard]] double shape_wave(scene::Wave wave, float exponent, double value);
+
+}  // namespace durer::tracer

@@ -1,0 +1,121 @@
+#include "tracer/shading/normal.h"
+
+#include <glm/geometric.hpp>
+
+#include "tracer/patterns/map_search.h"
+
+namespace durer::tracer {
+
+NormalFrame::NormalFrame(const scene::Pattern& pattern, const Transform& to_world, bool keep_scale)
+    : keep_scale_(keep_scale) {
+  // Only transformations move normals; the other warps are passed over.
+  Transform placed;
+  for (const scene::Warp& warp : pattern.warps) {
+    if (warp.type == scene::none) placed = placed.then(warp.transform);
+  }
+  placed = placed.then(pattern.transform).then(to_world);
+  moved_ = !placed.is_identity();
+  into_ = placed.forward;
+  back_ = placed.backward;
+}
+
+dvec3 NormalFrame::enter(dvec3 n) const {
+  if (!moved_) return keep_scale_ ? n : glm::normalize(n);
+  n = into_.covector(n);
+  return keep_scale_ ? n : glm::normalize(n);
+}
+
+dvec3 NormalFrame::leave(dvec3 n) const {
+  if (!keep_scale_) n = glm::normalize(n);
+  if (!moved_) return n;
+  n = back_.covector(n);
+  return keep_scale_ ? n : glm::normalize(n);
+}
+
+NormalId NormalStore::add(const scene::Normal& normal, const Transform& to_world) {
+  const auto id = static_cast<NormalId>(nodes_.size());
+  nodes_.emplace_back();
+  std::vector<Entry> entries;
+  for (const scene::NormalEntry& e : normal.entries) {
+    entries.push_back({e.key, add(normal.children[e.normal], {})});
+  }
+  Node node;
+  node.pattern = patterns_.compile(normal.pattern, to_world);
+  node.frame = NormalFrame(normal.pattern, to_world, normal.no_bump_scale);
+  node.amount = normal.amount;
+  node.accuracy = normal.accuracy;
+  node.first_entry = static_cast<std::uint32_t>(entries_.size());
+  entries_.insert(entries_.end(), entries.begin(), entries.end());
+  node.end_entry = static_cast<std::uint32_t>(entries_.size());
+  node.first_slope = static_cast<std::uint32_t>(slopes_.size());
+  slopes_.insert(slopes_.end(), normal.slopes.begin(), normal.slopes.end());
+  node.end_slope = static_cast<std::uint32_t>(slopes_.size());
+  nodes_[id] = node;
+  return id;
+}
+
+dvec3 NormalStore::at(NormalId id, dvec3 p, dvec3 n, const SurfaceView* view) const {
+  const Node& node = nodes_[id];
+  if (node.pattern.type == nullptr) return n;
+  n = node.frame.enter(n);
+  n = perturbed(node, patterns_.warp(node.pattern, p), n, view);
+  return node.frame.leave(n);
+}
+
+dvec3 NormalStore::perturbed(const Node& node, dvec3 p, dvec3 n, const SurfaceView* view) const {
+  const PatternType& type = *node.pattern.type;
+  if (node.first_entry != node.end_entry) {
+    return type.averages ? average(node, p, n, view) : blend(node, p, n, view);
+  }
+  if (type.perturb != nullptr) return type.perturb(node.pattern.state, p, n, node.amount);
+  return slide(node, p, n, view);
+}
+
+dvec3 NormalStore::average(const Node& node, dvec3 p, dvec3 n, const SurfaceView* view) const {
+  dvec3 sum(0.0);
+  double total = 0;
+  for (std::uint32_t i = node.first_entry; i < node.end_entry; ++i) {
+    sum += static_cast<double>(entries_[i].key) * at(entries_[i].child, p, n, view);
+    total += entries_[i].key;
+  }
+  return sum / total;
+}
+
+dvec3 NormalStore::blend(const Node& node, dvec3 p, dvec3 n, const SurfaceView* view) const {
+  const std::span entries(&entries_[node.first_entry], node.end_entry - node.first_entry);
+  const auto found = find_neighbours(entries, PatternStore::value(node.pattern, p, view));
+  const dvec3 lower = at(found.lower->child, p, n, view);
+  if (found.single()) return lower;
+  return (1 - found.t) * lower + found.t * at(found.upper->child, p, n, view);
+}
+
+// The slope of the pattern, from its values at the corners of a small tetrahedron.
+dvec3 NormalStore::slide(const Node& node, dvec3 p, dvec3 n, const SurfaceView* view) const {
+  static constexpr std::array corners{
+      dvec3(0.942809041, -0.333333333, 0),
+      dvec3(-0.471404521, -0.333333333, 0.816496581),
+      dvec3(-0.471404521, -0.333333333, -0.816496581),
+      dvec3(0, 1, 0),
+  };
+  const double size = node.accuracy;
+  const double amount = node.amount * -5.0 * (0.02 / size);
+  for (const dvec3& v : corners) n += amount * height(node, p + size * v, view) * v;
+  return n;
+}
+
+// The pattern's value, through the slope map if there is one (textures §13.3).
+double NormalStore::height(const Node& node, dvec3 p, const SurfaceView* view) const {
+  const double value = PatternStore::value(node.pattern, p, view);
+  if (node.first_slope == node.end_slope) return value;
+  const std::span slopes(&slopes_[node.first_slope], node.end_slope - node.first_slope);
+  const auto found = find_neighbours(slopes, value);
+  const double h0 = found.lower->height;
+  if (found.single()) return h0;
+  const double s0 = found.lower->slope;
+  const double s1 = found.upper->slope;
+  const double d = h0 - found.upper->height;
+  const double t = found.t;
+  return t * t * t * (s0 + s1 + 2 * d) - t * t * (2 * s0 + s1 + 3 * d) + t * s0 + h0;
+}
+
+}  // namespace durer::tracer

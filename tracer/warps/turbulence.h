@@ -1,0 +1,29 @@
+// Turbulence as a warp, and as patterns see it that use it themselves.
+#pragma once
+
+#include <algorithm>
+
+#include "functions/noise.h"
+#include "tracer/warps/warp_type.h"
+
+namespace durer::tracer::warps {
+
+struct Turbulence {
+  dvec3 amount{0.0};
+  double count = 6;
+  float omega = 0.5F;
+  float lambda = 2;
+
+  static constexpr std::array operands{
+      positional<&Turbulence::amount>("amount", "how far points are moved"),
+      keyword<&Turbulence::count>("octaves", "number of octaves, 1 to 10"),
+      keyword<&Turbulence::omega>("omega", "size of an octave relative to the one before"),
+      keyword<&Turbulence::lambda>("lambda", "frequency of an octave relative to the one before"),
+  };
+  [[nodiscard]] functions::Octaves octaves() const {
+    return {static_cast<int>(std::clamp(count, 1.0, 10.0)), omega, lambda};
+  }
+  dvec3 operator()(dvec3 p) const { return p + amount * functions::vturbulence(p, octaves()); }
+};
+
+}  // namespace durer::tracer::warps
