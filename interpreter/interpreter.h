@@ -277,6 +277,7 @@ class Interpreter {
   void note_use(const Slot* slot, Span span);
   Value* lookup(const ast::Tree& tree, ast::ExprId id, bool must_exist);
   Num read_components(const ast::Tree& tree, ast::Range components, Span span);
+  const Value& callee(const ast::Tree& tree, ast::ExprId id);
   Num call_value(const Value& v, const ast::Tree& tree, const ast::Expr& call, int length);
   [[nodiscard]] static Value copy_of(const Value& v);
   void append_text(const ast::Tree& tree, ast::ExprId id, Text& out, bool file_name = false);

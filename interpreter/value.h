@@ -193,6 +193,10 @@ struct Value {
 };
 
 struct Dictionary {
+  Dictionary() = default;
+  Dictionary(const Dictionary&) = default;
+  Dictionary& operator=(const Dictionary&) = delete;
+  ~Dictionary();
   std::map<Text, Value> entries;
 };
 
