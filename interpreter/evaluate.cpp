@@ -473,7 +473,7 @@ Num Interpreter::evaluate_open(const ast::Tree& tree, const ast::Expr& e, const 
     if (name != nullptr && symbols_.reserved(name->name)) {
       return call_builtin(tree, e, name->name, {}, &g, length);
     }
-    return call_value(*lookup(tree, g.callee, true), tree, e, length);
+    return call_value(callee(tree, g.callee), tree, e, length);
   }
   if (g.kind == Kind::index) {
     const ast::ExprId id = static_cast<ast::ExprId>(&e - tree.exprs.data());
@@ -516,9 +516,18 @@ int Interpreter::work_out_call(const ast::Tree& tree, const ast::Expr& e, const 
       return work_out(t, value, want, v);
     });
   }
-  const Num n = call_value(*lookup(tree, call.callee, true), tree, e, want);
+  const Num n = call_value(callee(tree, call.callee), tree, e, want);
   std::copy(n.v.begin(), n.v.end(), v);
   return n.length;
+}
+
+/// What is to be called: a variable, an element, an entry.
+const Value& Interpreter::callee(const ast::Tree& tree, ast::ExprId id) {
+  const Value* v = lookup(tree, id, true);
+  if (v == nullptr) {
+    fail(Code::wrong_kind, tree.exprs[id].span, "expected a macro or function to call");
+  }
+  return *v;
 }
 
 /// Calls a function or spline; macros have been expanded before.

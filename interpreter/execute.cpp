@@ -306,7 +306,9 @@ void Interpreter::default_block() {
     } else if (t.is(grammar::words::pigment) || t.is(grammar::words::finish) ||
                t.is(grammar::words::normal)) {
       scene::TextureUse use{default_texture_, {}};
+      reading_default_ = true;
       edit_texture(use, t);
+      reading_default_ = false;
       default_texture_ = use.texture;
       own_texture_ = scene::none;
     } else if (t.is(grammar::words::camera)) {

@@ -79,7 +79,12 @@ std::vector<functions::Value> Interpreter::FunctionReader::call(const ast::Tree&
     return {call_word(word->name, e.span, arguments)};
   }
   const Span at = tree.exprs[callee].span;
-  const SymbolId name = word != nullptr ? word->name : *array_of(tree.exprs[callee]);
+  const auto array = array_of(tree.exprs[callee]);
+  if (word == nullptr && !array) {
+    in_.fail(Code::wrong_kind, at, "only functions with a name can be called inside of functions",
+             "declare one for it: `#declare F = D.key`");
+  }
+  const SymbolId name = word != nullptr ? word->name : *array;
   const Value* v = in_.lookup(tree, callee, false);
   if (v == nullptr || !v->defined()) unknown(at, name);
   const auto* f = v->get<Shared<UserFunction>>();

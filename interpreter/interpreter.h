@@ -277,6 +277,7 @@ class Interpreter {
   void note_use(const Slot* slot, Span span);
   Value* lookup(const ast::Tree& tree, ast::ExprId id, bool must_exist);
   Num read_components(const ast::Tree& tree, ast::Range components, Span span);
+  const Value& callee(const ast::Tree& tree, ast::ExprId id);
   Num call_value(const Value& v, const ast::Tree& tree, const ast::Expr& call, int length);
   [[nodiscard]] static Value copy_of(const Value& v);
   void append_text(const ast::Tree& tree, ast::ExprId id, Text& out, bool file_name = false);
@@ -422,22 +423,46 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   void add_layers(scene::TextureUse& use, scene::TextureId layers);
   void transform_texture(scene::Texture& texture, const Transform& t);
   void edit_layer(scene::Layer& layer, const Token& word);
-  scene::TextureId read_texture_body(scene::Texture texture, Span span);
+  scene::TextureId read_texture_body(Token::Kind last);
+  void read_texture_items(scene::Texture& texture, Span span, Token::Kind last);
+  void read_texture_part(scene::Texture& texture, const Token& token, Span span);
+  void read_pattern_texture(scene::Texture& texture, const Token& word, Token::Kind last);
+  void read_texture_list(scene::Texture& texture, int size);
+  void read_tiles(scene::Texture& texture, Span span);
+  scene::Layer& top_layer(scene::Texture& texture, Span span);
+  void keep_bump_scale(scene::Texture& texture);
+  TextureMap read_texture_map(bool weights);
   scene::TextureId add_texture(scene::Texture texture);
+  void share_texture(scene::TextureUse& use);
   scene::Pigment read_pigment(scene::Pigment start);
   void read_pigment_body(scene::Pigment& pigment, Token::Kind last);
   void start_pigment_pattern(scene::Pigment& pigment, std::uint32_t index, const Token& word);
-  void check_map(const ColourMap& map);
   bool pigment_modifier(scene::Pigment& pigment, const Token& token);
   void read_colour_list(scene::Pigment& pigment, const scene::PatternInfo& info);
   ColourMap read_colour_map();
-  ColourMap read_pigment_map();
+  ColourMap read_pigment_map(bool weights);
+  // ---- maps.h
+  template <typename Map, typename ReadEntry>
+  void read_map(std::string_view name, Map& map, bool weights, ReadEntry read_entry);
+  void check_entries(const scene::Pattern& pattern, bool none, std::string_view map);
+  [[noreturn]] void bad_map(const Token& word, const scene::PatternInfo* info);
+  // ---- normals.cpp
+  [[nodiscard]] const scene::Normal& default_normal() const;
+  scene::Normal read_normal(scene::Normal start);
+  void read_normal_body(scene::Normal& normal, Token::Kind last);
+  void start_normal_pattern(scene::Normal& normal, std::uint32_t index, const Token& word);
+  bool normal_modifier(scene::Normal& normal, const Token& token);
+  static void keep_bump_scale(scene::Normal& normal);
+  NormalMap read_normal_map(bool weights);
+  SlopeMap read_slope_map();
   // ---- patterns.cpp
   [[nodiscard]] bool is_pattern_word(SymbolId word) const;
   void choose_pattern(scene::Pattern& pattern, std::uint32_t index);
   void read_pattern_operands(scene::Pattern& pattern, const Token& word);
   bool pattern_modifier(scene::Pattern& pattern, const Token& token);
   void read_turbulence(scene::Pattern& pattern, const Token& word);
+  void read_magnet(scene::Pattern& pattern, Span span);
+  void read_slope(scene::Pattern& pattern, Span span);
   void read_noise_generator(scene::Pattern& pattern, const Token& word);
   void read_warp(scene::Pattern& pattern, Span span);
   void skip_to(Token::Kind last);
@@ -530,6 +555,9 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   scene::Scene scene_;
   std::vector<std::uint16_t> object_depths_;  // by object: 1 + that of its deepest child
   scene::TextureId default_texture_ = scene::none;
+  bool reading_default_ = false;  // a normal may have settings and no pattern yet
+  /// Textures of one plain colour, by hash: objects that look alike share one.
+  std::unordered_multimap<std::size_t, scene::TextureId> plain_textures_;
   scene::TextureId own_texture_ = scene::none;  // made by the object statement being read
   std::shared_ptr<const CameraSpec> default_camera_;
   std::shared_ptr<const CameraSpec> camera_;

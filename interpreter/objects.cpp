@@ -387,6 +387,9 @@ scene::ObjectId Interpreter::read_object_modifiers(scene::Object object, const T
     d.labels.push_back({word.span.to(opened), "in this block"});
     fail(std::move(d));
   }
+  if (own_texture_ != scene::none && object.texture.texture == own_texture_) {
+    share_texture(object.texture);
+  }
   own_texture_ = scene::none;
   return add_object(std::move(object));
 }

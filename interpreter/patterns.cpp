@@ -1,4 +1,5 @@
 // Patterns, their modifiers and warps (textures §3, §4, §16).
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -111,8 +112,32 @@ void Interpreter::choose_pattern(scene::Pattern& p, std::uint32_t index) {
 
 void Interpreter::read_pattern_operands(scene::Pattern& p, const Token& word) {
   const scene::PatternInfo& info = *registry_.patterns[p.type];
+  p.function = nullptr;
+  p.pigment = nullptr;
+  if (word.word == w::slope) return read_slope(p, word.span);
+  if (word.word == w::magnet) return read_magnet(p, word.span);
   p.args = read_operands(info, word);
-  p.function = info.takes_function ? read_scene_function() : nullptr;
+  if (info.takes_function) p.function = read_scene_function();
+  if (info.takes_pigment) {
+    p.pigment = std::make_shared<const scene::Pigment>(
+        read_pigment(*scene_.textures[default_texture_].layers.back().pigment));
+  }
+}
+
+/// `average` is nothing without a map.
+void Interpreter::check_entries(const scene::Pattern& p, bool none, std::string_view map) {
+  if (!none || !p.exists() || !registry_.patterns[p.type]->averages) return;
+  fail(Code::missing_argument, peek().span,
+       fmt::format("`{}` needs a `{}`", registry_.patterns[p.type]->name, map));
+}
+
+/// A map where the pattern (null: none yet) takes none.
+void Interpreter::bad_map(const Token& word, const scene::PatternInfo* info) {
+  std::string message = info == nullptr ? fmt::format("`{}` needs a pattern before it", name_of(word.word))
+                        : info->list_size > 0
+                            ? fmt::format("`{}` takes a list, not a map", info->name)
+                            : fmt::format("`{}` takes no `{}`", info->name, name_of(word.word));
+  fail(Code::unexpected_item, word.span, std::move(message));
 }
 
 /// What may follow any pattern; false if `t` is something else.
@@ -148,6 +173,57 @@ bool Interpreter::pattern_modifier(scene::Pattern& p, const Token& t) {
     case w::warp: read_warp(p, t.span); return true;
     default: return false;
   }
+}
+
+/// `slope V` or `slope { [point_at] V [, low, high] [altitude V [, low, high]] }`.
+void Interpreter::read_slope(scene::Pattern& p, Span span) {
+  const scene::TypeInfo& info = *registry_.patterns[p.type];
+  p.args = default_operands(info);
+  const auto at = [&](std::string_view name) { return &p.args[find_operand(info, name).offset]; };
+  const auto vector = [&](std::string_view name) {
+    const dvec3 v = read_vector();
+    std::copy_n(&v.x, 3, at(name));
+  };
+  if (peek().kind != Token::Kind::open) return vector("direction");
+  next();
+  const auto range = [&](std::string_view low, std::string_view high) {
+    for (const std::string_view name : {low, high}) {
+      optional_comma();
+      if (starts_number(peek())) *at(name) = read_scalar("slope or altitude");
+    }
+    if (*at(low) == *at(high) && *at(low) != 0) {
+      warn(Code::degenerate, span, "both ends of this range are the same; it is ignored");
+    }
+  };
+  const bool to_point = accept(w::point_at);
+  if (to_point) *at("point_at") = 1;
+  vector("direction");
+  range("low_slope", "high_slope");
+  if (accept(w::altitude)) {
+    if (to_point) fail(Code::unexpected_item, span, "`altitude` does not go with `point_at`");
+    vector("altitude");
+    range("low_altitude", "high_altitude");
+  }
+  expect_close("slope", span);
+}
+
+/// `magnet 1 mandel N` or `magnet 2 julia <c>, N`.
+void Interpreter::read_magnet(scene::Pattern& p, Span span) {
+  const scene::TypeInfo& info = *registry_.patterns[p.type];
+  p.args = default_operands(info);
+  const auto at = [&](std::string_view name) { return &p.args[find_operand(info, name).offset]; };
+  *at("type") = std::trunc(read_scalar("the type of magnet"));
+  if (*at("type") != 1 && *at("type") != 2) fail(Code::out_of_range, span, "`magnet` is 1 or 2");
+  if (accept(w::julia)) {
+    *at("julia") = 1;
+    last_span_ = peek().span;
+    const Num c = fit(read_num(2), 2);
+    std::copy_n(c.v.begin(), 2, at("constant"));
+    optional_comma();
+  } else if (!accept(w::mandel)) {
+    unexpected(peek(), "`mandel` or `julia` after the type of `magnet`");
+  }
+  *at("iterations") = read_scalar("the number of iterations");
 }
 
 /// `noise_generator N`; the oracle combines the bits of several.

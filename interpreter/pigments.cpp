@@ -1,7 +1,9 @@
 // Pigments and their maps (textures §11, §16).
+#include <algorithm>
+
 #include <fmt/format.h>
 
-#include "interpreter/interpreter.h"
+#include "interpreter/maps.h"
 
 namespace durer::interpreter {
 
@@ -14,6 +16,26 @@ constexpr std::string_view pigment_settings =
     "spotted "
     "waves wood wrinkles image_map color_map pigment_map turbulence frequency phase warp "
     "translate rotate scale matrix transform quick_color";
+}  // namespace
+
+namespace {
+
+// The default colours of the Mandelbrot set are not for its relatives of other exponents
+// (textures §11.4).
+void settle_fractal_colours(scene::Pigment& p, const scene::Registry& registry) {
+  if (!p.pattern.exists()) return;
+  const scene::PatternInfo& info = *registry.patterns[p.pattern.type];
+  const auto same = [](const scene::PigmentEntry& a, const scene::MapEntry& b) {
+    return a.key == b.key && a.colour == b.colour && a.pigment == scene::none;
+  };
+  if (info.name != "mandel" || p.pattern.args[1] == 2 ||
+      !std::equal(p.entries.begin(), p.entries.end(), info.default_map.begin(),
+                  info.default_map.end(), same)) {
+    return;
+  }
+  p.entries = {{0, {}, scene::none}, {1, Colour{vec3(1.0F), 0, 0}, scene::none}};
+}
+
 }  // namespace
 
 scene::Pigment Interpreter::read_pigment(scene::Pigment start) {
@@ -29,6 +51,8 @@ void Interpreter::read_pigment_body(scene::Pigment& p, Token::Kind last) {
     const Token t = peek();
     if (t.kind == last) {
       next();
+      check_entries(p.pattern, p.entries.empty(), "pigment_map");
+      settle_fractal_colours(p, registry_);
       return;
     }
     if (t.is_punct(';')) {
@@ -72,7 +96,8 @@ void Interpreter::read_pigment_body(scene::Pigment& p, Token::Kind last) {
       p.uv_mapping = true;
       return;
     }
-    if (const auto it = pattern_words_.find(t.word); it != pattern_words_.end()) {
+    if (const auto it = pattern_words_.find(t.word);
+        it != pattern_words_.end() && !registry_.patterns[it->second]->only_normal) {
       start_pigment_pattern(p, it->second, t);
       continue;
     }
@@ -142,14 +167,15 @@ bool Interpreter::pigment_modifier(scene::Pigment& p, const Token& t) {
     case w::color_map:
     case w::colour_map:
     case w::pigment_map: {
-      const bool block = p.pattern.exists() && registry_.patterns[p.pattern.type]->list_size > 0;
-      if (block || (!p.pattern.exists() && p.unsupported.empty())) {
-        fail(Code::unexpected_item, t.span,
-             block
-                 ? fmt::format("`{}` takes a list, not a map", registry_.patterns[p.pattern.type]->name)
-                 : fmt::format("`{}` needs a pattern before it", name_of(t.word)));
+      const scene::PatternInfo* const info =
+          p.pattern.exists() ? registry_.patterns[p.pattern.type] : nullptr;
+      const bool colours = t.word != w::pigment_map;
+      if ((info == nullptr && p.unsupported.empty()) ||
+          (info != nullptr && (info->list_size > 0 || (colours && info->averages)))) {
+        bad_map(t, info);
       }
-      ColourMap map = t.word == w::pigment_map ? read_pigment_map() : read_colour_map();
+      ColourMap map = colours ? read_colour_map()
+                              : read_pigment_map(info != nullptr && info->averages);
       p.entries = std::move(map.entries);
       p.children = std::move(map.children);
       return true;
@@ -160,22 +186,10 @@ bool Interpreter::pigment_modifier(scene::Pigment& p, const Token& t) {
 
 /// `color_map { [key colour] … }` or `color_map { Identifier }` (textures §11.2).
 ColourMap Interpreter::read_colour_map() {
-  expect_open("color_map");
   ColourMap map;
-  if (const Token t = peek(); t.kind == Token::Kind::expr) {
-    const Value* v = lookup(*t.tree, t.expr, true);
-    const auto* ref = v == nullptr ? nullptr : v->get<Shared<ColourMap>>();
-    if (ref == nullptr) unexpected(t, "a colour map or `[`");
-    next();
-    map = **ref;
-  }
-  for (;;) {
-    const Token t = next();
-    if (t.kind == Token::Kind::close) break;
-    if (t.kind != Token::Kind::bracket_open) unexpected(t, "`[` or `}` in `color_map`");
+  read_map("color_map", map, false, [&](float key) {
     scene::PigmentEntry entry;
-    entry.key = static_cast<float>(read_scalar("key"));
-    optional_comma();
+    entry.key = key;
     const Token c = peek();
     if (c.kind == Token::Kind::expr) {
       const Num n = read_full(1);
@@ -204,42 +218,20 @@ ColourMap Interpreter::read_colour_map() {
     map.entries.push_back(entry);
     const Token close = next();
     if (close.kind != Token::Kind::bracket_close) unexpected(close, "`]`");
-  }
-  check_map(map);
+  });
   return map;
 }
 
-void Interpreter::check_map(const ColourMap& map) {
-  if (map.entries.empty())
-    fail(Code::missing_argument, peek().span, "a map needs at least one entry");
-  if (map.entries.size() > 256) fail(Code::limit, peek().span, "a map has at most 256 entries");
-}
-
-ColourMap Interpreter::read_pigment_map() {
-  expect_open("pigment_map");
+/// `pigment_map { [key pigment] … }` or `pigment_map { Identifier }`.
+ColourMap Interpreter::read_pigment_map(bool weights) {
   ColourMap map;
-  if (const Token t = peek(); t.kind == Token::Kind::expr) {
-    const Value* v = lookup(*t.tree, t.expr, true);
-    const auto* ref = v == nullptr ? nullptr : v->get<Shared<ColourMap>>();
-    if (ref == nullptr) unexpected(t, "a pigment map or `[`");
-    next();
-    map = **ref;
-  }
-  for (;;) {
-    const Token t = next();
-    if (t.kind == Token::Kind::close) break;
-    if (t.kind != Token::Kind::bracket_open) unexpected(t, "`[` or `}` in `pigment_map`");
-    scene::PigmentEntry entry;
-    entry.key = static_cast<float>(read_scalar("key"));
-    optional_comma();
+  read_map("pigment_map", map, weights, [&](float key) {
     scene::Pigment child = *scene_.textures[default_texture_].layers.back().pigment;
-    child.origin = origin(t.span);
+    child.origin = origin(last_span_);
     read_pigment_body(child, Token::Kind::bracket_close);
-    entry.pigment = static_cast<std::uint32_t>(map.children.size());
+    map.entries.push_back({key, {}, static_cast<std::uint32_t>(map.children.size())});
     map.children.push_back(std::move(child));
-    map.entries.push_back(entry);
-  }
-  check_map(map);
+  });
   return map;
 }
 

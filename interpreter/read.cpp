@@ -679,7 +679,11 @@ Value Interpreter::read_value() {
           read_finish(*scene_.textures[default_texture_].layers.back().finish)));
     case w::color_map:
     case w::colour_map: return Value(std::make_shared<const ColourMap>(read_colour_map()));
-    case w::pigment_map: return Value(std::make_shared<const ColourMap>(read_pigment_map()));
+    case w::pigment_map: return Value(std::make_shared<const ColourMap>(read_pigment_map(true)));
+    case w::normal: return Value(std::make_shared<const scene::Normal>(read_normal(default_normal())));
+    case w::normal_map: return Value(std::make_shared<const NormalMap>(read_normal_map(true)));
+    case w::slope_map: return Value(std::make_shared<const SlopeMap>(read_slope_map()));
+    case w::texture_map: return Value(std::make_shared<const TextureMap>(read_texture_map(true)));
     case w::interior: return Value(InteriorRef{read_interior()});
     case w::material: return Value(std::make_shared<const Material>(read_material()));
     case w::transform: return Value(std::make_shared<const Transform>(read_transform_block()));
@@ -689,10 +693,6 @@ Value Interpreter::read_value() {
     case w::array: return Value(read_array(t.span));
     case w::function: return read_function(t.span);
     case w::spline: return Value(read_spline(t.span));
-    case w::normal:
-    case w::normal_map:
-    case w::texture_map:
-    case w::slope_map:
     case w::density:
     case w::density_map:
     case w::media:

@@ -18,11 +18,21 @@ namespace w = grammar::words;
 /// decimals < 0 means 6. Longer than 254 characters it becomes `g`.
 void Interpreter::append_number(double value, int width, int decimals, Text& out) {
   const int places = decimals < 0 ? 6 : decimals;
-  if (!std::isfinite(value) || places > 254 || std::abs(width) > 254) {
-    char line[1024];
-    const int n = width < 0 ? std::snprintf(line, sizeof line, "%0*.*f", -width, places, value)
-                            : std::snprintf(line, sizeof line, "%*.*f", width, places, value);
-    if (n > 254) std::snprintf(line, sizeof line, "%g", value);
+  constexpr int longest = 254;
+  if (places > longest || width > longest || width < -longest) {
+    // Not even tried: the C library would write two billion blanks.
+    char line[64];
+    std::snprintf(line, sizeof line, "%g", value);
+    out.append(std::string_view(line));
+    return;
+  }
+  if (!std::isfinite(value)) {
+    char line[2 * longest];
+    if (width < 0) {
+      std::snprintf(line, sizeof line, "%0*.*f", -width, places, value);
+    } else {
+      std::snprintf(line, sizeof line, "%*.*f", width, places, value);
+    }
     out.append(std::string_view(line));
     return;
   }

@@ -1,9 +1,11 @@
 // Textures, pigments and maps (textures §11, §14, §16).
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include <fmt/format.h>
 
-#include "interpreter/interpreter.h"
+#include "interpreter/maps.h"
 
 namespace durer::interpreter {
 
@@ -17,8 +19,57 @@ scene::TextureId Interpreter::add_texture(scene::Texture texture) {
   return static_cast<scene::TextureId>(scene_.textures.size() - 1);
 }
 
+/// Made by the object statement that ends here: if an earlier one looks the same, that is used, and
+/// this one goes. Only for a single plain colour, where a look is quickly compared.
+void Interpreter::share_texture(scene::TextureUse& use) {
+  if (use.texture + 1U != scene_.textures.size()) return;
+  const auto key_of = [](const scene::Texture& t) {
+    const scene::Layer& l = t.layers[0];
+    const Colour& c = l.pigment->colour;
+    std::size_t h = reinterpret_cast<std::uintptr_t>(l.finish.identity());
+    for (const float x : {c.rgb.x, c.rgb.y, c.rgb.z, c.filter, c.transmit}) {
+      h = (h ^ std::bit_cast<std::uint32_t>(x)) * 0x9E3779B97F4A7C15U;
+      h ^= h >> 29U;
+    }
+    return h;
+  };
+  const scene::Texture& own = scene_.textures[use.texture];
+  if (own.layers.size() != 1 || scene::has_place(own) || !own.unsupported.empty() ||
+      !own.layers[0].unsupported.empty() || !own.layers[0].pigment->unsupported.empty() ||
+      own.layers[0].pigment->uv_mapping) {
+    return;
+  }
+  const auto same = [&](const scene::Texture& t) {
+    const Colour& a = t.layers[0].pigment->colour;
+    const Colour& b = own.layers[0].pigment->colour;
+    return t.layers[0].finish.same(own.layers[0].finish) && a.rgb == b.rgb &&
+           a.filter == b.filter && a.transmit == b.transmit;
+  };
+  const std::size_t key = key_of(own);
+  const auto [first, last] = plain_textures_.equal_range(key);
+  for (auto it = first; it != last; ++it) {
+    if (!same(scene_.textures[it->second])) continue;
+    use = {it->second, {}};
+    scene_.textures.pop_back();
+    return;
+  }
+  plain_textures_.emplace(key, use.texture);
+}
+
 void Interpreter::transform_texture(scene::Texture& texture, const Transform& t) {
+  if (texture.patterned()) {
+    // The pattern moves, and the textures in it with it: they are looked up where it points.
+    if (!texture.uv_mapping) {
+      scene::Pattern& pattern = texture.pattern.edit();
+      pattern.transform = pattern.transform.then(t);
+    }
+    return;
+  }
   for (scene::Layer& layer : texture.layers) {
+    if (layer.normal->pattern.exists() && !layer.normal->uv_mapping) {
+      scene::Pattern& bumps = layer.normal.edit().pattern;
+      bumps.transform = bumps.transform.then(t);
+    }
     if (layer.pigment->uv_mapping) continue;  // it lies on the surface (textures §11.7)
     scene::Pattern& pattern = layer.pigment.edit().pattern;
     pattern.transform = pattern.transform.then(t);
@@ -40,6 +91,10 @@ void Interpreter::add_layers(scene::TextureUse& use, scene::TextureId added) {
   }
   scene::Texture t = materialize(use);
   const scene::Texture& top = scene_.textures[added];
+  if (t.patterned() || top.patterned()) {
+    fail(Code::unexpected_item, scene_.origins[top.origin].span,
+         "a texture that is chosen by a pattern cannot be a layer of others");
+  }
   t.layers.insert(t.layers.end(), top.layers.begin(), top.layers.end());
   if (t.unsupported.empty()) t.unsupported = top.unsupported;
   use = {add_texture(std::move(t)), {}};
@@ -58,7 +113,7 @@ void Interpreter::edit_texture(scene::TextureUse& use, const Token& word) {
   } else {
     t = materialize(use);
   }
-  edit_layer(t.layers.back(), word);
+  edit_layer(top_layer(t, word.span), word);
   if (own) {
     scene_.textures[use.texture] = std::move(t);
     use.transform = {};
@@ -72,71 +127,78 @@ void Interpreter::edit_layer(scene::Layer& layer, const Token& word) {
   switch (word.word) {
     case w::pigment: layer.pigment = read_pigment(*layer.pigment); return;
     case w::finish: layer.finish = read_finish(*layer.finish); return;
-    default: {
-      // A normal without any bumps changes nothing; every other one has to wait.
-      expect_open("normal");
-      if (peek().kind != Token::Kind::close) layer.unsupported = "`normal`";
-      skip_block();
-      return;
-    }
+    default: layer.normal = read_normal(*layer.normal); return;
   }
 }
 
-namespace {
-bool starts_patterned_texture(SymbolId word) {
-  switch (word) {
-    case w::tiles:
-    case w::material_map:
-    case w::uv_mapping:
-    case w::texture_map: return true;
-    default: return false;
+/// The layer that settings right in the texture change.
+scene::Layer& Interpreter::top_layer(scene::Texture& texture, Span span) {
+  if (texture.patterned()) {
+    fail(Code::unexpected_item, span, "this texture is chosen by a pattern and has no layers",
+         "change the textures that it is made of");
+  }
+  return texture.layers.back();
+}
+
+/// `no_bump_scale` goes for everything in a texture.
+void Interpreter::keep_bump_scale(scene::Texture& texture) {
+  texture.no_bump_scale = texture.patterned();
+  for (scene::TextureEntry& entry : texture.entries) {
+    scene::Texture part = scene_.textures[entry.texture];
+    keep_bump_scale(part);
+    entry.texture = add_texture(std::move(part));
+  }
+  for (scene::Layer& layer : texture.layers) {
+    if (layer.normal->pattern.exists()) keep_bump_scale(layer.normal.edit());
   }
 }
-}  // namespace
 
 /// After the word `texture`: `{ … }`.
 scene::TextureId Interpreter::read_texture(std::string_view block) {
   expect_open(block);
+  return read_texture_body(Token::Kind::close);
+}
+
+/// Reads up to and including the closing mark `last`. A name alone stands for the texture itself.
+scene::TextureId Interpreter::read_texture_body(Token::Kind last) {
   const Token first = peek();
-  if (const Value* v =
-          first.kind == Token::Kind::expr ? lookup(*first.tree, first.expr, false) : nullptr;
-      v != nullptr && v->get<TextureRef>() != nullptr) {
-    const scene::TextureId id = v->get<TextureRef>()->id;
+  const Value* v =
+      first.kind == Token::Kind::expr ? lookup(*first.tree, first.expr, false) : nullptr;
+  const TextureRef* ref = v == nullptr ? nullptr : v->get<TextureRef>();
+  scene::Texture t = scene_.textures[ref == nullptr ? default_texture_ : ref->id];
+  if (ref == nullptr) {
+    t.origin = origin(first.span);
+  } else {
+    const scene::TextureId id = ref->id;
     next();
-    if (raw_next().kind == Token::Kind::close) {
+    if (raw_next().kind == last) {
       next();
       return id;
     }
-    return read_texture_body(scene_.textures[id], first.span);
   }
-  scene::Texture t = scene_.textures[default_texture_];
-  t.origin = origin(first.span);
-  return read_texture_body(std::move(t), first.span);
+  read_texture_items(t, first.span, last);
+  return add_texture(std::move(t));
 }
 
-scene::TextureId Interpreter::read_texture_body(scene::Texture t, Span span) {
+namespace {
+constexpr std::string_view texture_settings =
+    "pigment normal finish texture_map tiles uv_mapping no_bump_scale translate rotate scale "
+    "matrix transform";
+}  // namespace
+
+void Interpreter::read_texture_items(scene::Texture& t, Span span, Token::Kind last) {
+  bool keep_scale = false;
   for (;;) {
     const Token token = next();
-    if (token.kind == Token::Kind::close) break;
+    if (token.kind == last) break;
     if (token.is_punct(';')) continue;
     if (token.kind == Token::Kind::expr) {
-      // Identifiers replace a part: `texture { MyPigment MyFinish }`.
-      const Value* v = lookup(*token.tree, token.expr, false);
-      scene::Layer& top = t.layers.back();
-      if (v != nullptr && v->get<Shared<scene::Pigment>>() != nullptr) {
-        top.pigment = Boxed(*v->get<Shared<scene::Pigment>>());
-      } else if (v != nullptr && v->get<Shared<scene::Finish>>() != nullptr) {
-        top.finish = Boxed(*v->get<Shared<scene::Finish>>());
-      } else if (v != nullptr && v->get<Shared<Unsupported>>() != nullptr) {
-        if (top.unsupported.empty()) top.unsupported = (*v->get<Shared<Unsupported>>())->feature;
-      } else {
-        bad_setting(token, "texture", span,
-                    "pigment normal finish translate rotate scale matrix transform");
-      }
+      read_texture_part(t, token, span);
       continue;
     }
-    if (token.kind != Token::Kind::word)
+    if (token.kind != Token::Kind::word) {
       unexpected(token, "a pigment, normal, finish or transformation in `texture`");
+    }
     if (const auto transform = read_transformation(token)) {
       transform_texture(t, *transform);
       continue;
@@ -144,22 +206,124 @@ scene::TextureId Interpreter::read_texture_body(scene::Texture t, Span span) {
     switch (token.word) {
       case w::pigment:
       case w::finish:
-      case w::normal: edit_layer(t.layers.back(), token); continue;
-      case w::no_bump_scale: continue;  // about normals, which bring their own error
+      case w::normal: edit_layer(top_layer(t, token.span), token); continue;
+      case w::no_bump_scale: keep_scale = read_switch(true); continue;
+      case w::tiles: read_tiles(t, token.span); continue;
       default: break;
     }
-    if (starts_patterned_texture(token.word) || is_pattern_word(token.word)) {
-      if (t.unsupported.empty()) {
-        t.unsupported = fmt::format("a texture patterned by `{}`", name_of(token.word));
-      }
-      t.origin = origin(token.span);
-      skip_block();
-      break;
+    const bool known = pattern_words_.contains(token.word) || token.word == w::uv_mapping;
+    if (!known && !is_pattern_word(token.word) && token.word != w::material_map) {
+      bad_setting(token, "texture", span, texture_settings);
     }
-    bad_setting(token, "texture", span,
-                "pigment normal finish translate rotate scale matrix transform");
+    t.origin = origin(token.span);
+    if (known) {
+      read_pattern_texture(t, token, last);
+    } else {
+      t.unsupported = fmt::format("a texture patterned by `{}`", name_of(token.word));
+      skip_to(last);
+    }
+    break;
   }
-  return add_texture(std::move(t));
+  if (keep_scale) keep_bump_scale(t);
+}
+
+/// Identifiers replace a part: `texture { MyPigment MyFinish }`.
+void Interpreter::read_texture_part(scene::Texture& t, const Token& token, Span span) {
+  const Value* v = lookup(*token.tree, token.expr, false);
+  scene::Layer& top = top_layer(t, token.span);
+  if (v != nullptr && v->get<Shared<scene::Pigment>>() != nullptr) {
+    top.pigment = Boxed(*v->get<Shared<scene::Pigment>>());
+  } else if (v != nullptr && v->get<Shared<scene::Normal>>() != nullptr) {
+    top.normal = Boxed(*v->get<Shared<scene::Normal>>());
+  } else if (v != nullptr && v->get<Shared<scene::Finish>>() != nullptr) {
+    top.finish = Boxed(*v->get<Shared<scene::Finish>>());
+  } else if (v != nullptr && v->get<Shared<Unsupported>>() != nullptr) {
+    if (top.unsupported.empty()) top.unsupported = (*v->get<Shared<Unsupported>>())->feature;
+  } else {
+    bad_setting(token, "texture", span, texture_settings);
+  }
+}
+
+// ---- textures that a pattern chooses (textures §11, §14.1)
+
+/// After the word of a pattern, or `uv_mapping`: a list or map and modifiers, up to and including
+/// the closing mark `last`.
+void Interpreter::read_pattern_texture(scene::Texture& t, const Token& word, Token::Kind last) {
+  t.layers.clear();
+  t.pattern = {};
+  t.entries.clear();
+  if (word.word == w::uv_mapping) {
+    t.uv_mapping = true;
+    t.entries.push_back({0, read_texture_body(last)});
+    return;
+  }
+  scene::Pattern pattern;
+  const std::uint32_t index = pattern_words_.find(word.word)->second;
+  const scene::PatternInfo& info = *registry_.patterns[index];
+  choose_pattern(pattern, index);
+  if (info.only_normal) bad_setting(word, "texture", {}, texture_settings);
+  if (info.list_size > 0) read_texture_list(t, info.list_size);
+  read_pattern_operands(pattern, word);
+  bool keep_scale = false;
+  for (Token token = next(); token.kind != last; token = next()) {
+    if (token.kind != Token::Kind::word) {
+      unexpected(token, fmt::format("a modifier or `texture_map` after `{}`", info.name));
+    }
+    if (token.word == w::texture_map) {
+      if (info.list_size > 0) bad_map(token, &info);
+      t.entries = read_texture_map(info.averages).entries;
+    } else if (token.word == w::no_bump_scale) {
+      keep_scale = read_switch(true);
+    } else if (!pattern_modifier(pattern, token)) {
+      bad_setting(token, "texture", word.span,
+                  "texture_map turbulence frequency phase warp translate rotate scale matrix "
+                  "transform");
+    }
+  }
+  t.pattern = std::move(pattern);
+  if (t.entries.empty()) {
+    fail(Code::missing_argument, word.span,
+         fmt::format("a texture that is chosen by `{}` needs a `texture_map`", info.name));
+  }
+  if (keep_scale) keep_bump_scale(t);
+}
+
+/// `texture {…} texture {…}` after a block pattern; missing ones are the default.
+void Interpreter::read_texture_list(scene::Texture& t, int size) {
+  for (int i = 0; i < size; ++i) {
+    const bool here = accept(w::texture);
+    t.entries.push_back({static_cast<float>(i), here ? read_texture("texture") : default_texture_});
+    if (here) optional_comma();
+  }
+}
+
+/// `tiles { texture {…} tile2 texture {…} }`, an old checker that begins with the other one.
+void Interpreter::read_tiles(scene::Texture& t, Span span) {
+  const auto checker = pattern_words_.find(w::checker);
+  if (checker == pattern_words_.end()) not_supported("`tiles`", span);
+  expect_open("tiles");
+  const auto tile = [&] {
+    if (!accept(w::texture)) unexpected(peek(), "`texture` in `tiles`");
+    return read_texture("texture");
+  };
+  const scene::TextureId first = tile();
+  if (!accept(w::tile2)) unexpected(peek(), "`tile2` and the other texture");
+  const scene::TextureId second = tile();
+  expect_close("tiles", span);
+  scene::Pattern pattern;
+  choose_pattern(pattern, checker->second);
+  t.layers.clear();
+  t.pattern = std::move(pattern);
+  t.entries = {{0, second}, {1, first}};
+}
+
+/// `texture_map { [key texture] … }` or `texture_map { Identifier }`.
+TextureMap Interpreter::read_texture_map(bool weights) {
+  TextureMap map;
+  read_map("texture_map", map, weights, [&](float key) {
+    map.entries.push_back({key, read_texture_body(Token::Kind::bracket_close)});
+  });
+  return map;
 }
 
 }  // namespace durer::interpreter

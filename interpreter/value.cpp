@@ -27,7 +27,11 @@ std::string_view kind_name(const Value& value) {
     std::string_view operator()(TextureRef) const { return "a texture"; }
     std::string_view operator()(const Shared<scene::Pigment>&) const { return "a pigment"; }
     std::string_view operator()(const Shared<scene::Finish>&) const { return "a finish"; }
+    std::string_view operator()(const Shared<scene::Normal>&) const { return "a normal"; }
     std::string_view operator()(const Shared<ColourMap>&) const { return "a colour map"; }
+    std::string_view operator()(const Shared<NormalMap>&) const { return "a normal map"; }
+    std::string_view operator()(const Shared<SlopeMap>&) const { return "a slope map"; }
+    std::string_view operator()(const Shared<TextureMap>&) const { return "a texture map"; }
     std::string_view operator()(InteriorRef) const { return "an interior"; }
     std::string_view operator()(const Shared<Material>&) const { return "a material"; }
     std::string_view operator()(const Shared<Transform>&) const { return "a transform"; }
@@ -50,26 +54,42 @@ bool same_alternative(const Value& a, const Value& b) {
 }
 
 namespace {
-/// Arrays of arrays are taken apart level by level: a loop may have put millions inside one another,
-/// and destructors would call each other as deep.
+
+/// True if the value holds others that go with it.
+bool owns_others(const Value& v) {
+  if (const auto* array = v.get<std::shared_ptr<Array>>()) return array->use_count() == 1;
+  const auto* dictionary = v.get<std::shared_ptr<Dictionary>>();
+  return dictionary != nullptr && dictionary->use_count() == 1 &&
+         std::get<Shared<Thing>>(v.node).use_count() == 1;
+}
+
+/// Arrays and dictionaries in one another are taken apart level by level: a loop may have put
+/// millions inside each other, and destructors would call each other as deep.
 void take_apart(std::vector<Value>& pending) {
-  const auto inner = [](Value& v) -> std::vector<Value>* {
-    auto* array = v.get<std::shared_ptr<Array>>();
-    return array != nullptr && array->use_count() == 1 ? &(*array)->elements : nullptr;
-  };
-  if (std::none_of(pending.begin(), pending.end(), [&](Value& v) { return inner(v) != nullptr; })) {
-    return;
-  }
+  if (std::none_of(pending.begin(), pending.end(), owns_others)) return;
   while (!pending.empty()) {
-    Value v = std::move(pending.back());
+    const Value v = std::move(pending.back());
     pending.pop_back();
-    if (std::vector<Value>* elements = inner(v)) {
-      std::move(elements->begin(), elements->end(), std::back_inserter(pending));
-      elements->clear();
+    if (!owns_others(v)) continue;
+    if (const auto* array = v.get<std::shared_ptr<Array>>()) {
+      std::vector<Value>& elements = (*array)->elements;
+      std::move(elements.begin(), elements.end(), std::back_inserter(pending));
+      elements.clear();
+    } else {
+      auto& entries = (*v.get<std::shared_ptr<Dictionary>>())->entries;
+      for (auto& [key, value] : entries) pending.push_back(std::move(value));
+      entries.clear();
     }
   }
 }
+
 }  // namespace
+
+Dictionary::~Dictionary() {
+  std::vector<Value> values;
+  for (auto& [key, value] : entries) values.push_back(std::move(value));
+  take_apart(values);
+}
 
 Array::~Array() { take_apart(elements); }
 

@@ -99,6 +99,16 @@ struct ColourMap {
   std::vector<scene::PigmentEntry> entries;
   std::vector<scene::Pigment> children;
 };
+struct NormalMap {
+  std::vector<scene::NormalEntry> entries;
+  std::vector<scene::Normal> children;
+};
+struct SlopeMap {
+  std::vector<scene::SlopeEntry> entries;
+};
+struct TextureMap {
+  std::vector<scene::TextureEntry> entries;
+};
 /// The written state of a camera, before angle and look_at are worked out (shading §2.2).
 struct CameraSpec;
 class DataFile;
@@ -120,7 +130,8 @@ using Shared = std::shared_ptr<const T>;
 /// What only blocks make and use; one allocation each.
 using Thing =
     std::variant<ObjectRef, TextureRef, Shared<scene::Pigment>, Shared<scene::Finish>,
-                 Shared<ColourMap>, InteriorRef, Shared<Material>, Shared<Transform>,
+                 Shared<scene::Normal>, Shared<ColourMap>, Shared<NormalMap>, Shared<SlopeMap>,
+                 Shared<TextureMap>, InteriorRef, Shared<Material>, Shared<Transform>,
                  Shared<CameraSpec>, Shared<scene::SkySphere>, std::shared_ptr<DataFile>,
                  Shared<UserFunction>, Shared<functions::Spline>, Shared<Unsupported>, std::shared_ptr<Dictionary>, Poison>;
 
@@ -182,6 +193,10 @@ struct Value {
 };
 
 struct Dictionary {
+  Dictionary() = default;
+  Dictionary(const Dictionary&) = default;
+  Dictionary& operator=(const Dictionary&) = delete;
+  ~Dictionary();
   std::map<Text, Value> entries;
 };
 

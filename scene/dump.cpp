@@ -31,7 +31,11 @@ static_assert(complete<Warp>);
 static_assert(complete<Pattern>);
 static_assert(complete<Pigment>);
 static_assert(complete<Finish>);
+static_assert(complete<NormalEntry>);
+static_assert(complete<SlopeEntry>);
+static_assert(complete<Normal>);
 static_assert(complete<Layer>);
+static_assert(complete<TextureEntry>);
 static_assert(complete<Texture>);
 static_assert(complete<Interior>);
 static_assert(complete<Colour>);
@@ -161,6 +165,9 @@ class Dumper {
   template <typename T>
   void value(std::string_view name, const Boxed<T>& x) {
     value(name, *x);
+  }
+  void value(std::string_view name, const std::shared_ptr<const Pigment>& x) {
+    x ? structure(name, *x) : out_.nothing(name);
   }
   void value(std::string_view name, const functions::FunctionRef& x) {
     x ? out_.word(name, functions::dump(*x)) : out_.nothing(name);

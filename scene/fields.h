@@ -172,6 +172,7 @@ struct Fields<Pattern> {
   static constexpr std::tuple all{field("type", &Pattern::type, Role::pattern),
                                   field("args", &Pattern::args, Role::operands),
                                   field("function", &Pattern::function),
+                                  field("pigment", &Pattern::pigment),
                                   field("warps", &Pattern::warps),
                                   field("transform", &Pattern::transform),
                                   field("frequency", &Pattern::frequency),
@@ -222,17 +223,55 @@ struct Fields<Finish> {
 };
 
 template <>
+struct Fields<NormalEntry> {
+  static constexpr std::tuple all{field("key", &NormalEntry::key),
+                                  field("normal", &NormalEntry::normal, Role::id)};
+};
+
+template <>
+struct Fields<SlopeEntry> {
+  static constexpr std::tuple all{field("key", &SlopeEntry::key),
+                                  field("height", &SlopeEntry::height),
+                                  field("slope", &SlopeEntry::slope)};
+};
+
+template <>
+struct Fields<Normal> {
+  static constexpr std::tuple all{field("pattern", &Normal::pattern),
+                                  field("amount", &Normal::amount),
+                                  field("accuracy", &Normal::accuracy),
+                                  field("no_bump_scale", &Normal::no_bump_scale),
+                                  field("uv_mapping", &Normal::uv_mapping),
+                                  field("entries", &Normal::entries),
+                                  field("children", &Normal::children),
+                                  field("slopes", &Normal::slopes),
+                                  field("origin", &Normal::origin, Role::place),
+                                  field("unsupported", &Normal::unsupported)};
+};
+
+template <>
 struct Fields<Layer> {
   static constexpr std::tuple all{field("pigment", &Layer::pigment),
                                   field("finish", &Layer::finish),
-                                  field("unsupported", &Layer::unsupported)};
+                                  field("unsupported", &Layer::unsupported),
+                                  field("normal", &Layer::normal)};
+};
+
+template <>
+struct Fields<TextureEntry> {
+  static constexpr std::tuple all{field("key", &TextureEntry::key),
+                                  field("texture", &TextureEntry::texture, Role::id)};
 };
 
 template <>
 struct Fields<Texture> {
   static constexpr std::tuple all{field("layers", &Texture::layers),
                                   field("origin", &Texture::origin, Role::place),
-                                  field("unsupported", &Texture::unsupported)};
+                                  field("unsupported", &Texture::unsupported),
+                                  field("pattern", &Texture::pattern),
+                                  field("entries", &Texture::entries),
+                                  field("uv_mapping", &Texture::uv_mapping),
+                                  field("no_bump_scale", &Texture::no_bump_scale)};
 };
 
 template <>

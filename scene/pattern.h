@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "base/transform.h"
@@ -23,11 +24,14 @@ struct Warp {
   bool classic = false;
 };
 
+struct Pigment;
+
 /// What makes a value of a point.
 struct Pattern {
   std::uint32_t type = none;  // index into Registry::patterns
   std::vector<double> args;   // the pattern's operands, laid out by its Params
   functions::FunctionRef function;  // of x, y, z; what the pattern `function` evaluates
+  std::shared_ptr<const Pigment> pigment;  // what the pattern `pigment_pattern` looks at
   std::vector<Warp> warps;    // in written order: the last one acts first
   SharedTransform transform;  // after all warps: pattern space → the space around
   float frequency = 1;

@@ -70,20 +70,72 @@ struct Finish {
   std::string unsupported;
 };
 
+struct Normal;
+
+/// One entry of a normal map or list; `normal` is an index into `Normal::children`.
+struct NormalEntry {
+  float key = 0;
+  std::uint32_t normal = none;
+};
+/// One entry of a slope map (textures §13.3).
+struct SlopeEntry {
+  float key = 0;
+  float height = 0;
+  float slope = 0;
+};
+
+/// Bumps: how a surface bends its normal (textures §13). Without a pattern: not at all.
+struct Normal {
+  Pattern pattern;
+  float amount = 0.5F;
+  float accuracy = 0.02F;  // how far apart the values are taken that tell the slope
+  bool no_bump_scale = false;
+  bool uv_mapping = false;           // looked up at (u, v, 0), as pigments are
+  std::vector<NormalEntry> entries;  // empty: the pattern itself makes the bumps
+  std::vector<Normal> children;
+  std::vector<SlopeEntry> slopes;
+  OriginId origin = 0;
+  std::string unsupported;
+};
+
 struct Layer {
   Boxed<Pigment> pigment;
   Boxed<Finish> finish;
-  std::string unsupported;  // e.g. a `normal`
+  std::string unsupported;
+  Boxed<Normal> normal = {};
 };
 
-/// Layers in written order: the last is the outermost, seen first.
+/// One entry of a texture map or list.
+struct TextureEntry {
+  float key = 0;
+  TextureId texture = none;
+};
+
+/// Either layers in written order, the last of which is the outermost and seen first; or other
+/// textures that a pattern chooses among. These are looked up where the pattern has moved the
+/// point to.
 struct Texture {
   std::vector<Layer> layers;
   OriginId origin = 0;
-  std::string unsupported;  // patterned textures, material_map …
+  std::string unsupported;  // material_map …
+  Boxed<Pattern> pattern = {};
+  std::vector<TextureEntry> entries = {};
+  bool uv_mapping = false;     // the one entry is looked up at (u, v, 0)
+  bool no_bump_scale = false;  // of a patterned texture
+
+  [[nodiscard]] bool patterned() const { return !entries.empty(); }
 };
 
 /// Volume side of a surface (shading §5).
+/// False if the texture looks the same wherever it is placed: plain colours, no bumps.
+[[nodiscard]] inline bool has_place(const Texture& texture) {
+  if (texture.patterned()) return true;
+  for (const Layer& l : texture.layers) {
+    if (l.pigment->pattern.exists() || l.normal->pattern.exists()) return true;
+  }
+  return false;
+}
+
 struct Interior {
   double ior = -1;  // negative: the atmosphere's
   double dispersion = 1;

@@ -77,8 +77,11 @@ struct PatternInfo : TypeInfo {
   int list_size = 0;
   /// Entries used where none are written: colours of a list at keys 0, 1, 2…, or a default map.
   std::span<const MapEntry> default_map;
-  bool unwrapped = false;  // frequency is 0 unless it is set; so it is for block patterns
+  bool unwrapped = false;       // frequency is 0 unless it is set; so it is for block patterns
   bool takes_function = false;  // `{ … }` of x, y, z follows its name
+  bool takes_pigment = false;   // `{ … }` as of a pigment follows its name
+  bool averages = false;        // all entries of its map count, by weight
+  bool only_normal = false;     // cannot colour anything
 };
 
 /// Everything the interpreter may bind, in the order of the registration lists; indices into these

@@ -134,7 +134,10 @@ class Flattener {
     if (!own.scenery) return own;
     const auto place = [&](const scene::TextureUse& use, scene::TextureUse& to) {
       if (use.texture == none) return;
-      to = object.uv_mapping ? use : scene::TextureUse{use.texture, use.transform.then(around.to_world)};
+      // Objects of one plain colour share a surface, wherever they are.
+      const bool moves = !object.uv_mapping && scene::has_place(scene_.textures[use.texture]);
+      to = moves ? scene::TextureUse{use.texture, use.transform.then(around.to_world)}
+                 : scene::TextureUse{use.texture, object.uv_mapping ? use.transform : SharedTransform()};
       own.uv_mapping = object.uv_mapping;
     };
     own.uv_mapping = around.uv_mapping || object.uv_mapping;
@@ -150,7 +153,7 @@ class Flattener {
   }
 
   std::uint32_t add_leaf(const Object& object, const Context& own) {
-    FlatLeaf part{&object, own.to_world, own.inverted, own.muted, own.mask, own.gate, none};
+    FlatLeaf part{&object, SharedTransform(own.to_world), own.inverted, own.muted, own.mask, own.gate, none};
     if (own.scenery) {
       Surface surface;
       surface.texture = own.texture;
@@ -262,14 +265,21 @@ class Flattener {
   }
 
   [[nodiscard]] bool needs_uv(const Surface& surface) const {
-    const auto by_uv = [&](scene::TextureId id) {
-      if (id == none) return false;
-      const auto& layers = scene_.textures[id].layers;
-      return std::any_of(layers.begin(), layers.end(),
-                         [](const scene::Layer& l) { return l.pigment->uv_mapping; });
-    };
     return surface.uv_mapping || by_uv(surface.texture.texture) ||
            by_uv(surface.interior_texture.texture);
+  }
+
+  // True if anything in a texture lies on the surface rather than in space.
+  [[nodiscard]] bool by_uv(scene::TextureId id) const {
+    if (id == none) return false;
+    const scene::Texture& t = scene_.textures[id];
+    return t.uv_mapping ||
+           std::any_of(t.layers.begin(), t.layers.end(),
+                       [](const scene::Layer& l) {
+                         return l.pigment->uv_mapping || l.normal->uv_mapping;
+                       }) ||
+           std::any_of(t.entries.begin(), t.entries.end(),
+                       [&](const scene::TextureEntry& e) { return by_uv(e.texture); });
   }
 
   void report(scene::ObjectId id, const Object& object) {

@@ -15,7 +15,7 @@ namespace durer::tracer {
 /// One primitive as placed.
 struct FlatLeaf {
   const scene::Object* object = nullptr;
-  Transform to_world;
+  SharedTransform to_world;
   bool inverted = false;
   bool muted = false;  // part of a clip: its surface is never seen
   std::uint8_t mask = 0;

@@ -22,6 +22,7 @@ Geometry::State::State(Flat flat, Hierarchy hierarchy) {
   surfaces = std::move(flat.surfaces);
   interiors = std::move(flat.interiors);
   lights = std::move(flat.lights);
+  flat = {};  // makes room for the hierarchy
   build_accel(hierarchy);
 }
 

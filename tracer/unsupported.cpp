@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "tracer/shading/texture.h"
+
 namespace durer::tracer {
 namespace {
 
@@ -17,14 +19,21 @@ bool mark(std::vector<bool>& seen, std::uint32_t id) {
 
 }  // namespace
 
-void UnsupportedReport::check_texture(scene::TextureId id) {
-  if (!mark(textures_seen_, id)) return;
+void UnsupportedReport::check_texture(scene::TextureId id, std::uint32_t depth) {
   const scene::Texture& texture = scene_->textures[id];
+  if (depth > max_texture_depth) {
+    report(fmt::format("more than {} patterned textures inside of each other", max_texture_depth),
+           texture.origin);
+    return;
+  }
+  if (!mark(textures_seen_, id) && !texture.patterned()) return;
   report(texture.unsupported, texture.origin);
+  for (const scene::TextureEntry& e : texture.entries) check_texture(e.texture, depth + 1);
   for (const scene::Layer& layer : texture.layers) {
     const scene::OriginId place = layer.pigment->origin != 0 ? layer.pigment->origin : texture.origin;
     report(layer.unsupported, place);
     check_pigment(*layer.pigment);
+    check_normal(*layer.normal);
     check_finish(*layer.finish, place);
   }
 }
@@ -39,6 +48,14 @@ void UnsupportedReport::check_pigment(const scene::Pigment& pigment) {
   for (const scene::Pigment& child : pigment.children) {
     if (child.uv_mapping) report("`uv_mapping` inside of another pattern", child.origin);
     check_pigment(child);
+  }
+}
+
+void UnsupportedReport::check_normal(const scene::Normal& normal) {
+  report(normal.unsupported, normal.origin);
+  for (const scene::Normal& child : normal.children) {
+    if (child.uv_mapping) report("`uv_mapping` inside of another pattern", child.origin);
+    check_normal(child);
   }
 }
 

@@ -13,13 +13,14 @@ class UnsupportedReport {
       : scene_(&scene), diagnostics_(&diagnostics) {}
 
   /// Everything reachable from a texture or interior that is in use.
-  void check_texture(scene::TextureId texture);
+  void check_texture(scene::TextureId texture, std::uint32_t depth = 0);
   void check_interior(scene::InteriorId interior);
 
   void check_pigment(const scene::Pigment& pigment);
   void check_sky_pigment(const scene::Pigment& pigment);
 
  private:
+  void check_normal(const scene::Normal& normal);
   void check_finish(const scene::Finish& finish, scene::OriginId origin);
   void report(std::string_view feature, scene::OriginId origin);
 

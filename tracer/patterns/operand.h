@@ -73,11 +73,10 @@ inline constexpr scene::ArgKind kind_of<dvec2> = scene::ArgKind::vector2;
 template <>
 inline constexpr scene::ArgKind kind_of<dvec3> = scene::ArgKind::vector;
 
-template <auto member, typename Owner>
+template <auto member>
 constexpr auto operand(std::string_view name, std::string_view doc, bool positional,
                        bool optional) {
-  using P = std::conditional_t<std::is_void_v<Owner>, typename MemberOf<decltype(member)>::Owner,
-                               Owner>;
+  using P = typename MemberOf<decltype(member)>::Owner;
   Operand<P> o;
   o.param.name = name;
   o.param.kind = kind_of<typename MemberOf<decltype(member)>::Type>;
@@ -127,23 +126,22 @@ P& load_all(std::span<const double> args, PatternState& state) {
 
 }  // namespace detail
 
-/// An operand that stands right after the name. `Owner`: the described struct, where it inherits
-/// some of its members.
-template <auto member, typename Owner = void>
+/// An operand that stands right after the name.
+template <auto member>
 constexpr auto positional(std::string_view name, std::string_view doc) {
-  return detail::operand<member, Owner>(name, doc, true, false);
+  return detail::operand<member>(name, doc, true, false);
 }
 
 /// An operand right after the name, which may be missing.
-template <auto member, typename Owner = void>
+template <auto member>
 constexpr auto optional_positional(std::string_view name, std::string_view doc) {
-  return detail::operand<member, Owner>(name, doc, true, true);
+  return detail::operand<member>(name, doc, true, true);
 }
 
 /// An operand behind a word of its own, which may be missing.
-template <auto member, typename Owner = void>
+template <auto member>
 constexpr auto keyword(std::string_view name, std::string_view doc) {
-  return detail::operand<member, Owner>(name, doc, false, true);
+  return detail::operand<member>(name, doc, false, true);
 }
 
 }  // namespace patterns

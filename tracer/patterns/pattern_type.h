@@ -17,6 +17,8 @@ struct PatternSample {
   double value;
 };
 
+struct InnerPigment;
+
 /// What patterns may have to know beside their operands. Spans and pointers outlive the pattern.
 struct PatternContext {
   functions::NoiseGenerator noise_generator = 2;
@@ -26,6 +28,7 @@ struct PatternContext {
   dvec3 turbulence{0.0};         // of `turbulence` outside of any warp
   functions::Octaves octaves;    // of the same
   const functions::Function* function = nullptr;  // what the pattern `function` evaluates
+  const InnerPigment* pigment = nullptr;          // what `pigment_pattern` looks at
 };
 
 /// A surface as a ray meets it, for patterns that depend on more than the place.
@@ -44,7 +47,6 @@ struct PatternType : scene::PatternInfo {
   /// Bumps of a kind of their own: what becomes of the normal `n` at `p`. Null: the slope of
   /// `evaluate` makes the bumps.
   dvec3 (*perturb)(const PatternState& state, dvec3 p, dvec3 n, double amount) = nullptr;
-  bool averages = false;        // has no value: all entries of its map count, by weight
   bool own_turbulence = false;  // does itself what `turbulence` outside of any warp asks for
   std::span<const PatternSample> samples;
 };
@@ -93,6 +95,8 @@ struct PatternTraits {
   bool own_turbulence = false;
   bool averages = false;
   bool takes_function = false;
+  bool takes_pigment = false;
+  bool only_normal = false;
 };
 
 /// Describes the pattern P: default members, `operands` (optional), `samples`, an optional
@@ -114,6 +118,8 @@ constexpr PatternType describe_pattern(std::string_view name, std::string_view d
   type.own_turbulence = traits.own_turbulence;
   type.averages = traits.averages;
   type.takes_function = traits.takes_function;
+  type.takes_pigment = traits.takes_pigment;
+  type.only_normal = traits.only_normal;
   if constexpr (detail::Perturbs<P>) type.perturb = &detail::perturb<P>;
   type.prepare = &detail::prepare<P>;
   type.evaluate = &detail::evaluate<P>;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tracer/patterns/patterns.h"
+#include "tracer/patterns/pigment_pattern.h"
 #include "tracer/warps/turbulence.h"
 #include "tracer/warps/warps.h"
 
@@ -34,11 +35,13 @@ double shape_wave(scene::Wave wave, float exponent, double value) {
 }
 
 PatternStore::PatternStore(const scene::Settings& settings)
-    : noise_generator_(settings.noise_generator != 0    ? settings.noise_generator
-                       : settings.declared_version >= 350 ? 2
-                                                          : 1),
+    : settings_(settings),
       waves_(std::make_shared<const std::vector<functions::WaveSource>>(
-          functions::wave_sources(settings.number_of_waves))) {}
+          functions::wave_sources(settings.number_of_waves))) {
+  if (settings_.noise_generator == 0) {
+    settings_.noise_generator = settings_.declared_version >= 350 ? 2 : 1;
+  }
+}
 
 PatternProgram PatternStore::compile(const scene::Pattern& pattern, const Transform& to_world) {
   PatternProgram out;
@@ -46,13 +49,19 @@ PatternProgram PatternStore::compile(const scene::Pattern& pattern, const Transf
   out.type = pattern_types()[pattern.type];
   PatternContext context;
   context.noise_generator =
-      pattern.noise_generator != 0 ? pattern.noise_generator : noise_generator_;
+      pattern.noise_generator != 0 ? pattern.noise_generator : settings_.noise_generator;
   context.waves = *waves_;
   context.frequency = pattern.frequency;
   context.phase = pattern.phase;
   if (pattern.function) {
     context.function = pattern.function.get();
     functions_.push_back(pattern.function);
+  }
+  if (pattern.pigment) {
+    auto inner = std::make_shared<InnerPigment>(settings_);
+    inner->id = inner->store.add(*pattern.pigment, {});
+    context.pigment = inner.get();
+    pigments_.push_back(std::move(inner));
   }
 
   out.first_step = static_cast<std::uint32_t>(steps_.size());

@@ -48,11 +48,13 @@ class PatternStore {
 
   void add_step(const scene::Warp& warp);
 
-  int noise_generator_;
+  scene::Settings settings_;
   // Behind a pointer, so that programs may point to it wherever the store goes.
   std::shared_ptr<const std::vector<functions::WaveSource>> waves_;
   std::vector<Step> steps_;
-  std::vector<functions::FunctionRef> functions_;  // that programs point to
+  // What programs point to.
+  std::vector<functions::FunctionRef> functions_;
+  std::vector<std::shared_ptr<const InnerPigment>> pigments_;
 };
 
 /// The wave form that shapes a pattern's value, 0…1 (textures §3, step 5).

@@ -57,10 +57,25 @@ double PigmentStore::pattern_value(PigmentId id, dvec3 p) const {
 Colour PigmentStore::select(const Node& node, double value, dvec3 p,
                             const SurfaceView* view) const {
   const std::span entries(&entries_[node.first_entry], node.end_entry - node.first_entry);
+  if (node.pattern.type->averages) return average(entries, p, view);
   const auto found = find_neighbours(entries, value);
   const Colour lower = entry_colour(*found.lower, p, view);
   if (found.single()) return lower;
   return mix(lower, entry_colour(*found.upper, p, view), found.t);
+}
+
+Colour PigmentStore::average(std::span<const Entry> entries, dvec3 p,
+                             const SurfaceView* view) const {
+  Colour sum;
+  float total = 0;
+  for (const Entry& e : entries) {
+    const Colour c = entry_colour(e, p, view);
+    sum.rgb += e.key * c.rgb;
+    sum.filter += e.key * c.filter;
+    sum.transmit += e.key * c.transmit;
+    total += e.key;
+  }
+  return {sum.rgb / total, sum.filter / total, sum.transmit / total};
 }
 
 Colour PigmentStore::entry_colour(const Entry& entry, dvec3 p, const SurfaceView* view) const {

@@ -47,6 +47,8 @@ class PigmentStore {
 
   [[nodiscard]] Colour select(const Node& node, double value, dvec3 warped,
                               const SurfaceView* view) const;
+  [[nodiscard]] Colour average(std::span<const Entry> entries, dvec3 p,
+                               const SurfaceView* view) const;
   [[nodiscard]] Colour entry_colour(const Entry& entry, dvec3 p, const SurfaceView* view) const;
 
   PatternStore patterns_;

@@ -4,16 +4,6 @@
 #include <bit>
 
 namespace durer::tracer {
-namespace {
-
-// A texture of plain colours looks the same wherever it is placed.
-bool has_pattern(const scene::Texture& texture) {
-  return std::any_of(texture.layers.begin(), texture.layers.end(),
-                     [](const scene::Layer& l) { return l.pigment->pattern.exists(); });
-}
-
-}  // namespace
-
 std::size_t TextureStore::KeyHash::operator()(const Key& key) const {
   std::uint64_t h = key.texture;
   for (const dvec3& row : {key.placement.x, key.placement.y, key.placement.z, key.placement.t}) {
@@ -25,27 +15,72 @@ std::size_t TextureStore::KeyHash::operator()(const Key& key) const {
   return h;
 }
 
+TextureStore::TextureStore(const scene::Scene& scene)
+    : scene_(&scene),
+      pigments_(scene.settings),
+      normals_(scene.settings),
+      patterns_(scene.settings) {}
+
 ProgramId TextureStore::add(const scene::TextureUse& use) {
   const scene::Texture& texture = scene_->textures[use.texture];
-  const Transform placement = has_pattern(texture) ? use.transform.get() : Transform{};
-  const auto [known, is_new] = known_.try_emplace({use.texture, placement.forward},
-                                                  static_cast<ProgramId>(programs_.size()));
-  if (!is_new) return known->second;
+  const Transform placement = scene::has_place(texture) ? use.transform.get() : Transform{};
+  const Key key{use.texture, placement.forward};
+  if (const auto known = known_.find(key); known != known_.end()) return known->second;
+  const TextureProgram program = texture.patterned() ? compile_choice(texture, placement)
+                                                     : compile_layers(use.texture, placement);
+  const auto id = static_cast<ProgramId>(programs_.size());
+  programs_.push_back(program);
+  known_.emplace(key, id);
+  return id;
+}
 
-  const std::uint32_t finish = finishes_of(use.texture);
+TextureProgram TextureStore::compile_layers(scene::TextureId id, const Transform& placement) {
+  const scene::Texture& texture = scene_->textures[id];
+  const std::uint32_t finish = finishes_of(id);
   TextureProgram program;
   program.first_layer = static_cast<std::uint32_t>(layers_.size());
   for (std::size_t i = texture.layers.size(); i-- > 0;) {  // the last written is the outermost
     const scene::Layer& layer = texture.layers[i];
-    const bool by_uv = layer.pigment->uv_mapping;
-    const PigmentId pigment = pigments_.add(*layer.pigment, by_uv ? Transform{} : placement);
-    layers_.push_back({pigment, finish + static_cast<std::uint32_t>(i), by_uv});
-    program.uses_uv = program.uses_uv || by_uv;
-    program.opaque = program.opaque || pigments_.opaque(pigment);
+    LayerProgram out;
+    out.finish = finish + static_cast<std::uint32_t>(i);
+    out.by_uv = layer.pigment->uv_mapping;
+    out.pigment = pigments_.add(*layer.pigment, out.by_uv ? Transform{} : placement);
+    if (layer.normal->pattern.exists()) {
+      out.normal_by_uv = layer.normal->uv_mapping;
+      out.normal = normals_.add(*layer.normal, out.normal_by_uv ? Transform{} : placement);
+    }
+    layers_.push_back(out);
+    program.uses_uv = program.uses_uv || out.by_uv || out.normal_by_uv;
+    program.opaque = program.opaque || pigments_.opaque(out.pigment);
   }
   program.end_layer = static_cast<std::uint32_t>(layers_.size());
-  programs_.push_back(program);
-  return known->second;
+  return program;
+}
+
+TextureProgram TextureStore::compile_choice(const scene::Texture& texture,
+                                            const Transform& placement) {
+  TextureProgram program;
+  program.opaque = true;
+  program.uses_uv = texture.uv_mapping;
+  std::vector<TextureChoiceEntry> entries;
+  for (const scene::TextureEntry& e : texture.entries) {
+    entries.push_back({e.key, add({e.texture, {}})});
+    const TextureProgram& part = programs_[entries.back().texture];
+    program.opaque = program.opaque && part.opaque;
+    program.uses_uv = program.uses_uv || part.uses_uv;
+  }
+  TextureChoice choice;
+  choice.by_uv = texture.uv_mapping;
+  if (!choice.by_uv) {
+    choice.pattern = patterns_.compile(*texture.pattern, placement);
+    choice.frame = NormalFrame(*texture.pattern, placement, texture.no_bump_scale);
+  }
+  choice.first_entry = static_cast<std::uint32_t>(choice_entries_.size());
+  choice_entries_.insert(choice_entries_.end(), entries.begin(), entries.end());
+  choice.end_entry = static_cast<std::uint32_t>(choice_entries_.size());
+  program.choice = static_cast<std::uint32_t>(choices_.size());
+  choices_.push_back(choice);
+  return program;
 }
 
 std::uint32_t TextureStore::finishes_of(scene::TextureId id) {

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "tracer/transport/trace.h"
+#include "tracer/transport/texture_parts.h"
 
 namespace durer::tracer {
 
@@ -101,14 +101,23 @@ vec3 Tracer::shadow_factor(const Hit& hit, dvec3 l, const Containment& inside) c
 
 vec3 Tracer::shadow_factor(const View& view, const Containment& inside) const {
   if (view.texture->opaque) return vec3(0.0F);
+  if (view.texture->patterned()) {
+    vec3 sum(0.0F);
+    for_parts(view, [&](const View& part, float weight) {
+      sum += weight * shadow_factor(part, inside);
+    });
+    return sum;
+  }
   const TextureStore& textures = scene_->textures;
   const Interior& body = scene_->interiors[view.interior];
   vec3 k(1.0F);
+  SurfaceView seen{view.p, view.d, view.g};
   for (std::uint32_t i = view.texture->first_layer; i < view.texture->end_layer; ++i) {
     const LayerProgram& layer = textures.layer(i);
-    k *= textures.pigments().at(layer.pigment, layer.by_uv ? view.uv : view.q).transmission();
+    const dvec3 n = layer.normal == scene::none ? view.g : bend(view, layer, seen);
+    k *= textures.pigments().at(layer.pigment, layer.by_uv ? view.uv : view.q, &seen).transmission();
     if (body.caustics != 0) {
-      k *= static_cast<float>(1 + std::pow(std::abs(glm::dot(view.g, view.d)), body.caustics));
+      k *= static_cast<float>(1 + std::pow(std::abs(glm::dot(n, view.d)), body.caustics));
     }
   }
   if (body.fade_power > 0 && fades(body) && inside.contains(view.interior)) {

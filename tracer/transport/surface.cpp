@@ -57,7 +57,7 @@ Tracer::Step Tracer::surface(const View& view, Path& path) {
   }
   const Path arrived = path;
   if (see_through) transmit(view, layers, path, step);
-  step.colour += reflect(view, arrived, first, step.tir);
+  step.colour += reflect(view, layers, arrived, first, step.tir);
   scratch_->reflections.resize(first);
   return step;
 }
@@ -70,11 +70,15 @@ float Tracer::opacity(const Colour& c) const {
 Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
   const TextureStore& textures = scene_->textures;
   LayerSum sum;
+  SurfaceView seen{view.p, view.d, view.g};
   const std::uint32_t first = view.texture->first_layer;
   for (std::uint32_t i = first; i < view.texture->end_layer && sum.sigma > adc_; ++i) {
     const LayerProgram& program = textures.layer(i);
-    const Colour c = textures.pigments().at(program.pigment, program.by_uv ? view.uv : view.q);
-    const LayerPoint layer{&textures.finish(program), view.g, c.rgb, opacity(c)};
+    const dvec3 n = program.normal == scene::none ? view.g : bend(view, program, seen);
+    if (i == first) sum.top = n;
+    const Colour c =
+        textures.pigments().at(program.pigment, program.by_uv ? view.uv : view.q, &seen);
+    const LayerPoint layer{&textures.finish(program), n, c.rgb, opacity(c)};
     const Finish& f = *layer.finish;
     vec3 rho(0.0F);
     if (f.reflects) rho = remember_reflection(view, path, layer, sum.sigma);
@@ -86,6 +90,18 @@ Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
     sum.sigma = std::min(1.0F, std::abs(grey(sum.through)));
   }
   return sum;
+}
+
+// The normal of a layer. Afterwards `seen` has it as patterns of the layer see it, which is inside
+// of the patterned textures around it (textures §13.1, §13.5).
+dvec3 Tracer::bend(const View& view, const LayerProgram& layer, SurfaceView& seen) const {
+  dvec3 n = view.g;
+  for (std::uint32_t i = 0; i < view.frame_count; ++i) n = view.frames[i]->enter(n);
+  const dvec3 p = layer.normal_by_uv ? view.uv : view.q;
+  n = scene_->textures.normals().at(layer.normal, p, n, &seen);
+  seen.n = n;
+  for (std::uint32_t i = view.frame_count; i-- > 0;) n = view.frames[i]->leave(n);
+  return glm::normalize(n);
 }
 
 vec3 Tracer::remember_reflection(const View& view, const Path& path, const LayerPoint& layer,
@@ -108,9 +124,9 @@ vec3 Tracer::attenuation(const View& view, const Path& path) const {
 }
 
 // The ray that a surface sends back by total internal reflection.
-Path Tracer::inward(const View& view, const Path& path, float weight) const {
+Path Tracer::inward(const View& view, const Path& path, dvec3 n, float weight) {
   Path back = path;
-  back.ray = {view.p, mirror(view.d, view.g, view.g)};
+  back.ray = {view.p, mirror(view.d, n, view.g)};
   back.weight = weight;
   back.reflected = true;
   return back;
@@ -132,14 +148,14 @@ void Tracer::transmit(const View& view, const LayerSum& layers, Path& path, Step
   const bool disperses = !is_one(ratio.dispersion);
   step.straight = is_one(ratio.ior) && !disperses;
   if (disperses && path.wavelength == 0) {
-    const Radiance r = disperse(view, path, next, ratio);
+    const Radiance r = disperse(view, layers, path, next, ratio);
     step.colour += step.through * r.colour;
     step.transmittance *= r.transmittance;
     return;
   }
   if (disperses) ratio.ior *= index_factor(ratio.dispersion, path.wavelength);
-  if (!step.straight && !refract(view.d, view.g, ratio.ior, next.ray.d)) {
-    next = inward(view, path, next.weight);
+  if (!step.straight && !refract(view.d, layers.top, ratio.ior, next.ray.d)) {
+    next = inward(view, path, layers.top, next.weight);
     step.through = a;
     step.transmittance = 0;
     step.tir = true;
@@ -149,7 +165,8 @@ void Tracer::transmit(const View& view, const LayerSum& layers, Path& path, Step
 }
 
 // White light splits into bands; each goes on as light of one wavelength.
-Radiance Tracer::disperse(const View& view, const Path& path, const Path& next, IndexRatio ratio) {
+Radiance Tracer::disperse(const View& view, const LayerSum& layers, const Path& path,
+                          const Path& next, IndexRatio ratio) {
   const auto samples_of = [&](std::uint32_t id) {
     return scene_->interiors[id].dispersion_samples;
   };
@@ -160,7 +177,9 @@ Radiance Tracer::disperse(const View& view, const Path& path, const Path& next, 
     const Band band = spectral_band(i, samples);
     const double eta = ratio.ior * index_factor(ratio.dispersion, band.wavelength);
     Path ray = next;
-    if (!refract(view.d, view.g, eta, ray.ray.d)) ray = inward(view, path, next.weight);
+    if (!refract(view.d, layers.top, eta, ray.ray.d)) {
+      ray = inward(view, path, layers.top, next.weight);
+    }
     ray.wavelength = band.wavelength;
     const Radiance r = trace(ray);
     sum.colour += band.hue * r.colour;
@@ -170,12 +189,13 @@ Radiance Tracer::disperse(const View& view, const Path& path, const Path& next, 
   return {sum.colour / n, sum.transmittance / n};
 }
 
-vec3 Tracer::reflect(const View& view, const Path& arrived, std::size_t first, bool tir) {
+vec3 Tracer::reflect(const View& view, const LayerSum& layers, const Path& arrived,
+                     std::size_t first, bool tir) {
   vec3 sum(0.0F);
   const std::size_t end = scratch_->reflections.size();
   for (std::size_t i = first; i < end; ++i) {
     const Reflection r = scratch_->reflections[i];  // a copy: tracing moves the stack
-    if (tir && nearly_equal(r.n, view.g)) continue;
+    if (tir && nearly_equal(r.n, layers.top)) continue;
     Path path = arrived;
     path.ray = {view.p, mirror(view.d, r.n, view.g)};
     path.weight = r.weight;

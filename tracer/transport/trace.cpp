@@ -1,4 +1,4 @@
-#include "tracer/transport/trace.h"
+#include "tracer/transport/texture_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,10 +37,17 @@ Radiance Tracer::follow(Path path, bool straight) {
       return {sum + through * s.colour, transmittance * s.transmittance};
     }
     if (!straight) ++path.level;
-    const Look seen = look(hit, path.ray.d);
+    Look seen = look(hit, path.ray.d);
     if (seen.blend.count > 1) {
       const Radiance r = blend(seen, hit, path);
       return {sum + through * r.colour, transmittance * r.transmittance};
+    }
+    if (seen.view.texture->patterned()) {
+      narrow(seen.view);
+      if (seen.view.texture->patterned()) {
+        const Radiance r = shown(seen.view, path);
+        return {sum + through * r.colour, transmittance * r.transmittance};
+      }
     }
     const Step step = surface(seen.view, path);
     sum += through * step.colour;
@@ -59,14 +66,7 @@ Radiance Tracer::blend(const Look& look, const Hit& hit, const Path& path) {
     if (part.weight < adc_) continue;
     View view = look.view;
     dress(view, look, hit, part.texture);
-    Path own = path;
-    const Step step = surface(view, own);
-    Radiance r{step.colour, step.transmittance};
-    if (step.continues) {
-      const Radiance behind = follow(own, step.straight);
-      r.colour += step.through * behind.colour;
-      r.transmittance *= behind.transmittance;
-    }
+    const Radiance r = shown(view, path);
     sum.colour += part.weight * r.colour;
     sum.transmittance += part.weight * r.transmittance;
   }

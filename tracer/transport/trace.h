@@ -1,6 +1,7 @@
 // Light transport: from a ray to the light that comes back along it (shading §8).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -71,11 +72,15 @@ class Tracer {
     dvec3 g{0.0};  // unit geometric normal, towards the viewer
     const TextureProgram* texture = nullptr;
     std::uint32_t interior = 0;
+    /// Spaces of the patterned textures around `texture`, outermost first.
+    std::uint32_t frame_count = 0;
+    std::array<const NormalFrame*, max_texture_depth> frames;
     bool double_illuminate = false;
     double depth = 0;  // from the ray's origin
   };
   // What the layers of a surface send out, and let through.
   struct LayerSum {
+    dvec3 top{0.0};  // normal of the outermost layer
     vec3 colour{0.0F};
     vec3 through{1.0F};
     float sigma = 1;  // scalar transparency
@@ -108,16 +113,23 @@ class Tracer {
   [[nodiscard]] Radiance blend(const Look& look, const Hit& hit, const Path& path);
   [[nodiscard]] Look look(const Hit& hit, dvec3 d) const;
   void dress(View& view, const Look& look, const Hit& hit, std::uint32_t texture) const;
+  [[nodiscard]] Radiance shown(const View& view, const Path& path);
+  void narrow(View& view) const;
+  template <typename Visit>
+  void for_parts(const View& view, Visit visit) const;
+  [[nodiscard]] double choose(View& view, const TextureChoice& choice) const;
+  [[nodiscard]] dvec3 bend(const View& view, const LayerProgram& layer, SurfaceView& seen) const;
   [[nodiscard]] Step surface(const View& view, Path& path);
   [[nodiscard]] LayerSum sum_layers(const View& view, const Path& path);
   [[nodiscard]] float opacity(const Colour& c) const;
   vec3 remember_reflection(const View& view, const Path& path, const LayerPoint& layer,
                            float sigma);
   void transmit(const View& view, const LayerSum& layers, Path& path, Step& step);
-  [[nodiscard]] Path inward(const View& view, const Path& path, float weight) const;
-  [[nodiscard]] Radiance disperse(const View& view, const Path& path, const Path& next,
-                                  IndexRatio ratio);
-  [[nodiscard]] vec3 reflect(const View& view, const Path& path, std::size_t first, bool tir);
+  [[nodiscard]] static Path inward(const View& view, const Path& path, dvec3 n, float weight);
+  [[nodiscard]] Radiance disperse(const View& view, const LayerSum& layers, const Path& path,
+                                  const Path& next, IndexRatio ratio);
+  [[nodiscard]] vec3 reflect(const View& view, const LayerSum& layers, const Path& path,
+                             std::size_t first, bool tir);
   [[nodiscard]] vec3 attenuation(const View& view, const Path& path) const;
 
   [[nodiscard]] vec3 illuminate(const View& view, const Path& path, const LayerPoint& layer,

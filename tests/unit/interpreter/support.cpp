@@ -36,9 +36,30 @@ constexpr scene::PatternInfo checker = {
     {"checker", "Cubes.", {}}, scene::Wave::ramp, 2, checker_map};
 constexpr scene::PatternInfo gradient = {
     {"gradient", "Bands.", gradient_params}, scene::Wave::ramp, 0, grey_map};
-constexpr scene::PatternInfo function = {
-    {"function", "The value of a function.", {}}, scene::Wave::ramp, 0, grey_map, false, true};
-constexpr std::array<const scene::PatternInfo*, 3> patterns = {&checker, &gradient, &function};
+constexpr scene::PatternInfo function = [] {
+  scene::PatternInfo info{
+      {"function", "The value of a function.", {}}, scene::Wave::ramp, 0, grey_map};
+  info.takes_function = true;
+  return info;
+}();
+constexpr scene::PatternInfo average = [] {
+  scene::PatternInfo info{{"average", "All of it.", {}}, scene::Wave::ramp, 0, {}};
+  info.averages = true;
+  return info;
+}();
+constexpr std::array<const scene::PatternInfo*, 4> patterns = {&checker, &gradient, &function,
+                                                               &average};
+
+constexpr std::array turbulence_params = {
+    Param{"amount", ArgKind::vector, "amount"},
+    Param{"octaves", ArgKind::number, "octaves", false, true, {6}},
+    Param{"omega", ArgKind::number, "omega", false, true, {0.5}},
+    Param{"lambda", ArgKind::number, "lambda", false, true, {2}}};
+constexpr std::array repeat_params = {Param{"step", ArgKind::vector, "step"},
+                                      Param{"flip", ArgKind::vector, "flip", false, true}};
+constexpr scene::TypeInfo turbulence = {"turbulence", "Stirs.", turbulence_params};
+constexpr scene::TypeInfo repeat = {"repeat", "Repeats.", repeat_params};
+constexpr std::array<const scene::TypeInfo*, 2> warps = {&turbulence, &repeat};
 
 }  // namespace
 
@@ -49,7 +70,7 @@ Run run(const std::string& text, bool header, Options options, const std::string
   const FileId file = sources.add(path, (header ? head : std::string()) + text);
   Run r;
   options.on_debug = [&](std::string_view s) { r.debug += s; };
-  const scene::Registry registry = {primitives, patterns};
+  const scene::Registry registry = {primitives, patterns, warps};
   r.scene = interpret(sources, file, registry, options, diagnostics);
   for (const Diagnostic& d : diagnostics.all()) {
     const Place p = sources.place(d.span.begin);

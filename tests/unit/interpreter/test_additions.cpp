@@ -104,6 +104,13 @@ TEST_CASE("additions: entries can be asked for and removed", "[interpreter][addi
         "D0204 at 3:10: expected a dictionary, found a float");
 }
 
+TEST_CASE("additions: only what can be called is called", "[interpreter][additions]") {
+  CHECK(says("#declare S = 1; #declare A = S(1, sphere).S(1, sphere);").substr(0, 5) == "D0204");
+  CHECK(error_of("#declare A = S(1, sphere).S(1, sphere);").substr(0, 5) == "D0204");
+  CHECK(error_of("#declare S = 1; #declare A = S.list[2];").substr(0, 5) == "D0204");
+  CHECK(error_of("#declare F = function(x) { D.call(x) }").substr(0, 5) == "D0204");
+}
+
 TEST_CASE("additions: components stay what they were", "[interpreter][additions]") {
   CHECK(worth("#declare V = <1,2,3>;", "V.y + V.x") == "3.000");
   CHECK(worth("#declare A = array[2] { <1,2>, <3,4> }", "A[1].y") == "4.000");
