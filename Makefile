@@ -11,7 +11,7 @@ SOURCES  = $(shell git ls-files '*.h' '*.cpp')
 
 .DEFAULT_GOAL := build
 .NOTPARALLEL:
-.PHONY: build deps oracle demo test conformance conformance-baseline golden bench format tidy clean help
+.PHONY: build deps oracle demo test conformance conformance-baseline golden bench differential format tidy clean help
 
 build: ## the optimised program, at build/durer
 	@test -f $(BUILD)/build.ninja || cmake --preset $(PRESET)
@@ -42,6 +42,9 @@ golden: ## make the golden pictures anew, from POV-Ray: make golden FILTER=torus
 
 bench: build ## time both programs on the scenes of bench/: make bench FILTER=slab
 	$(PYTHON) tools/bench.py --runs $(RUNS) $(FILTER)
+
+differential: build ## print random programs with both programs and compare the text
+	$(PYTHON) tools/differential.py run --count 2000
 
 format: ## clang-format all sources in place
 	clang-format -i $(SOURCES)

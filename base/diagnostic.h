@@ -53,6 +53,8 @@ class Diagnostics {
 
   void report(Diagnostic d);
   [[nodiscard]] bool has_errors() const { return errors_ > 0; }
+  /// All that were reported, kept or not.
+  [[nodiscard]] std::size_t error_count() const { return errors_; }
   [[nodiscard]] const std::vector<Diagnostic>& all() const { return all_; }
   /// Errors that were not kept because there were enough already.
   [[nodiscard]] std::size_t dropped_errors() const {

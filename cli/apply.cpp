@@ -131,9 +131,9 @@ Problem diagnostics_format(Settings& s, std::string_view value) {
 
 Problem dump_scene(Settings& s, std::string_view value) {
   const auto b = parse_bool(value);
-  s.dump_scene = b && !*b                    ? DumpFormat::none
-                 : same_word(value, "json")  ? DumpFormat::json
-                                             : DumpFormat::text;
+  s.dump_scene = b && !*b                   ? DumpFormat::none
+                 : same_word(value, "json") ? DumpFormat::json
+                                            : DumpFormat::text;
   const bool known = b || same_word(value, "json") || same_word(value, "text");
   return known ? Problem() : expected("text or json", value);
 }

@@ -15,13 +15,19 @@ std::string counted(std::size_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
+/// Without those that the interpreter brings along.
+std::size_t files_read(const SourceMap& sources) {
+  std::size_t count = 0;
+  for (FileId file = 0; file < sources.size(); ++file) count += !sources.path(file).starts_with('<');
+  return count;
+}
+
 std::string summary(const FrameScene& frame, const Settings& settings) {
   const scene::Scene& s = *frame.scene;
   return fmt::format("{}: {}, {}, {}, {} read, {}; {}\n", frame.sources.path(0),
                      counted(s.roots.size(), "object"), counted(s.lights.size(), "light"),
-                     counted(s.textures.size(), "texture"),
-                     counted(frame.sources.size(), "file"), time_text(frame.seconds),
-                     assumptions(settings, s.settings));
+                     counted(s.textures.size(), "texture"), counted(files_read(frame.sources), "file"),
+                     time_text(frame.seconds), assumptions(settings, s.settings, frame.assumed));
 }
 
 /// The first frame of an animation stands for all.

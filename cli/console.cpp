@@ -59,8 +59,8 @@ void Console::print(const Diagnostic& d, const SourceMap& sources) {
   const bool is_error = d.severity == Severity::error;
   if (!is_error && !warnings_) return;
   const Stream stream = is_error ? Stream::fatal : Stream::warning;
-  to_console(stream, json_ ? diagnostic_json(d, sources)
-                           : render_diagnostic(d, sources, colour_wanted()));
+  to_console(stream,
+             json_ ? diagnostic_json(d, sources) : render_diagnostic(d, sources, colour_wanted()));
   to_files(stream, render_diagnostic(d, sources));
 }
 

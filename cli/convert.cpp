@@ -13,28 +13,6 @@ bool encodes_despite_scene(const Settings& s, const scene::Settings& scene) {
   return scene.gamma_mode == scene::GammaMode::off && s.version >= 370;
 }
 
-std::string gamma_text(const GammaCurve& curve) {
-  switch (curve.kind) {
-    case GammaCurve::Kind::linear: return "1";
-    case GammaCurve::Kind::srgb: return "srgb";
-    case GammaCurve::Kind::power: break;
-  }
-  return fmt::format("{:.4g}", curve.gamma);
-}
-
-std::string gamma_assumption(const Settings& s, const scene::Settings& scene) {
-  if (encodes_despite_scene(s, scene)) {
-    return "no assumed_gamma, 1 is taken because of Version=3.7";
-  }
-  switch (scene.gamma_mode) {
-    case scene::GammaMode::off: return "no assumed_gamma, colours are stored as they are";
-    case scene::GammaMode::implied: return "no assumed_gamma, 1 is taken";
-    case scene::GammaMode::legacy:
-    case scene::GammaMode::explicit_: break;
-  }
-  return fmt::format("assumed_gamma {}", gamma_text(scene.assumed_gamma));
-}
-
 }  // namespace
 
 interpreter::Options interpreter_options(const Settings& s, const FrameTask& task) {
@@ -87,10 +65,11 @@ image::Encoding encoding_of(const Settings& s, const scene::Settings& scene) {
   return e;
 }
 
-std::string assumptions(const Settings& s, const scene::Settings& scene) {
-  const bool declared = scene.effective_version == scene.declared_version;
-  return fmt::format("language {:.2f}{}; {}", scene.effective_version / 100.0,
-                     declared ? "" : " (no #version)", gamma_assumption(s, scene));
+std::string assumptions(const Settings& s, const scene::Settings& scene,
+                        const std::string& of_the_scene) {
+  if (!encodes_despite_scene(s, scene)) return of_the_scene;
+  return of_the_scene.substr(0, of_the_scene.find(';')) +
+         "; no assumed_gamma, 1 is taken because of Version=3.7";
 }
 
 }  // namespace durer::cli

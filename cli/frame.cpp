@@ -48,7 +48,8 @@ class Render {
     if (frame->scene) compiled = tracer::compile(*frame->scene, frame->diagnostics);
     console_.print(frame->diagnostics);
     if (!compiled || frame->diagnostics.has_errors()) return exit_code::error;
-    console_.print(Stream::render, assumptions(settings_, frame->scene->settings) + "\n");
+    stop_ = &interrupts_set_flag();  // from here on there is something to keep
+    console_.print(Stream::render, assumptions(settings_, frame->scene->settings, frame->assumed) + "\n");
     return trace(*frame->scene, *compiled, *window);
   }
 
@@ -75,20 +76,19 @@ class Render {
                              "remove that file, or render anew without `+C`");
       }
     }
-    std::atomic<bool>& stop = interrupts_set_flag();
     std::atomic<bool> expired = false;
     const double seconds = limits_of(settings_).render_seconds;
     tracer::RenderResult result;
     {
-      const Deadline deadline(seconds, [&] { expired = stop = true; });
+      const Deadline deadline(seconds, [&] { expired = *stop_ = true; });
       ProgressLine line(stderr, terminal_columns(STDERR_FILENO));
-      const bool shows = settings_.verbose.value_or(true) && console_.speaks(Stream::render) &&
-                         !console_.json();
+      const bool shows =
+          settings_.verbose.value_or(true) && console_.speaks(Stream::render) && !console_.json();
       const auto on_progress = [&](const tracer::Progress& p) {
         if (shows) line.show(p);
         saved.save_now_and_then(p);
       };
-      result = tracer::render(compiled, options, on_progress, &stop, &saved.checkpoint());
+      result = tracer::render(compiled, options, on_progress, stop_, &saved.checkpoint());
       line.clear();
     }
     if (result.cancelled) return stopped(saved, expired, seconds);
@@ -101,11 +101,10 @@ class Render {
         lost ? *lost : fmt::format("`+C` takes up what is in {}", saved.path());
     if (expired) {
       return console_.fail(
-          Code::limit,
-          fmt::format("rendering takes longer than Max_Render_Seconds={:g}", seconds), state);
+          Code::limit, fmt::format("rendering takes longer than Max_Render_Seconds={:g}", seconds),
+          state);
     }
-    console_.print(Stream::fatal,
-                   fmt::format("interrupted, no picture was written; {}\n", state));
+    console_.print(Stream::fatal, fmt::format("interrupted, no picture was written; {}\n", state));
     return exit_code::interrupted;
   }
 
@@ -145,6 +144,7 @@ class Render {
   Console& console_;
   const FrameTask& task_;
   Output output_;
+  std::atomic<bool>* stop_ = nullptr;
 };
 
 }  // namespace

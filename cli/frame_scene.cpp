@@ -47,21 +47,21 @@ std::unique_ptr<FrameScene> read_frame(const Settings& settings, const SceneText
       console.print(Stream::debug, fmt::format("{}\n", line));
     };
   }
+  options.on_assumptions = [&](std::string_view line) { frame->assumed = line; };
   const double seconds = options.limits.seconds;
-  const Deadline deadline(hard_limit(seconds),
-                          [&] { stop_now(too_slow(settings, seconds)); });
+  const Deadline deadline(hard_limit(seconds), [&] { stop_now(too_slow(settings, seconds)); });
   const auto start = Clock::now();
   const FileId file = frame->sources.add(text.path, text.text);
-  frame->scene = interpreter::interpret(frame->sources, file, tracer::registry(), options,
-                                        frame->diagnostics);
+  frame->scene =
+      interpreter::interpret(frame->sources, file, tracer::registry(), options, frame->diagnostics);
   frame->seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (frame->diagnostics.has_errors()) frame->scene.reset();
   return frame;
 }
 
 bool dump(const FrameScene& frame, const Settings& settings) {
-  const auto style = settings.dump_scene == DumpFormat::json ? scene::DumpStyle::json
-                                                             : scene::DumpStyle::text;
+  const auto style =
+      settings.dump_scene == DumpFormat::json ? scene::DumpStyle::json : scene::DumpStyle::text;
   bool written = true;
   scene::dump(*frame.scene, tracer::registry(), &frame.sources, style, [&](std::string_view text) {
     written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && written;

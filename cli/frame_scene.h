@@ -21,6 +21,7 @@ struct FrameScene {
   std::unique_ptr<scene::ObjectQueries> queries;
   std::unique_ptr<scene::PigmentQueries> pigments;
   std::optional<scene::Scene> scene;  // empty: there were errors
+  std::string assumed;                // what the scene left open, in one line
   double seconds = 0;                 // of reading
 };
 

@@ -20,9 +20,7 @@ char memory_message[1024] = "";
   ::_exit(exit_code::error);
 }
 
-[[noreturn]] void on_no_memory() {
-  write_and_exit(memory_message, std::strlen(memory_message));
-}
+[[noreturn]] void on_no_memory() { write_and_exit(memory_message, std::strlen(memory_message)); }
 
 }  // namespace
 

@@ -26,6 +26,7 @@ constexpr std::array chapters = {
     Chapter{Group::debugging, "Looking into scenes"},
     Chapter{Group::messages, "Messages"},
     Chapter{Group::no_effect, "Accepted, without effect on the picture"},
+    Chapter{Group::obsolete, "Obsolete: ignored with a warning"},
     Chapter{Group::not_yet, "Not supported yet: an error when used"},
 };
 
@@ -49,33 +50,46 @@ constexpr std::string_view exit_codes =
     "  1  an error; no picture was written, except of frames before it\n"
     "  2  stopped by SIGINT or SIGTERM; no half picture is ever written\n";
 
-constexpr std::string_view chapters_of_its_own =
+constexpr std::string_view explanations =
     "\n## Animations\n\n"
-    "One process renders all frames, each from a fresh start. `clock` runs from `Initial_Clock` to\n"
-    "`Final_Clock`; the number of a frame stands in the name of its file before the extension, with\n"
+    "One process renders all frames, each from a fresh start. `clock` runs from `Initial_Clock` "
+    "to\n"
+    "`Final_Clock`; the number of a frame stands in the name of its file before the extension, "
+    "with\n"
     "as many digits as the last one has. The first frame that fails ends the run.\n\n"
     "## Interrupted pictures\n\n"
-    "Renders of more than some seconds keep what is done in a file beside the picture, `NAME.state`,\n"
+    "Renders of more than some seconds keep what is done in a file beside the picture, "
+    "`NAME.state`,\n"
     "and so do interrupted ones. `+C` takes it up, and the picture is the same to the last bit as\n"
-    "one rendered at a stretch. If scene or options are not the same any more, `+C` refuses. The file\n"
+    "one rendered at a stretch. If scene or options are not the same any more, `+C` refuses. The "
+    "file\n"
     "is removed once the picture is complete. Without a state, `+C` skips pictures that exist.\n\n"
     "## Scenes of strangers\n\n"
     "`--untrusted` sets every limit to the value that its line tells; the command line may set\n"
-    "others, INI files may not, nor may they name files to write or folders to search. Scenes then\n"
-    "read only below their own folder and the library folders, write nothing (`#fopen`), and there\n"
+    "others, INI files may not, nor may they name files to write or folders to search. Scenes "
+    "then\n"
+    "read only below their own folder and the library folders, write nothing (`#fopen`), and "
+    "there\n"
     "are no shell commands. Beyond a limit the run ends with an error and exit code 1.\n\n"
     "## Messages for programs\n\n"
-    "With `--diagnostics=json` every line on standard error is a JSON object. `\"kind\"` tells which:\n\n"
-    "- `diagnostic`: `severity` (error, warning, note), `code`, `message`, and if they exist `file`,\n"
-    "  `line`, `column`, `end` (`line`, `column`), `at` (words for the place itself), `labels` and\n"
-    "  `trace` (lists of places with `text`), `help` (a list of texts). Lines and columns count from\n"
+    "With `--diagnostics=json` every line on standard error is a JSON object. `\"kind\"` tells "
+    "which:\n\n"
+    "- `diagnostic`: `severity` (error, warning, note), `code`, `message`, and if they exist "
+    "`file`,\n"
+    "  `line`, `column`, `end` (`line`, `column`), `at` (words for the place itself), `labels` "
+    "and\n"
+    "  `trace` (lists of places with `text`), `help` (a list of texts). Lines and columns count "
+    "from\n"
     "  1, columns in bytes; `end` is behind the last byte.\n"
     "- `message`: `stream` (debug, fatal, render, statistic, warning) and `text`, which may be a\n"
     "  part of a line or several.\n\n"
     "## Scenes as data\n\n"
-    "`--dump-scene` prints what the scene amounts to: objects, lights, textures, interiors, camera\n"
-    "and settings, with the places where they were written. As text it leaves defaults out, as JSON\n"
-    "(`--dump-scene=json`) it is complete. Numbers of objects, textures and so on are indices into\n"
+    "`--dump-scene` prints what the scene amounts to: objects, lights, textures, interiors, "
+    "camera\n"
+    "and settings, with the places where they were written. As text it leaves defaults out, as "
+    "JSON\n"
+    "(`--dump-scene=json`) it is complete. Numbers of objects, textures and so on are indices "
+    "into\n"
     "these lists.\n";
 
 std::string switch_text(const Option& o) {
@@ -161,7 +175,7 @@ std::string help_markdown() {
                          code(long_text(o)), o.doc);
     }
   }
-  out += chapters_of_its_own;
+  out += explanations;
   out += "\n## Output types\n\n| name | letter | extension | meaning |\n|---|---|---|---|\n";
   for (const image::Format* f : image::formats()) {
     out += fmt::format("| {} | {} | `{}` | {} |\n", f->name,

@@ -35,15 +35,15 @@ void take(To& to, const std::optional<From>& given, double unit = 1) {
 
 // An INI file may come with the scene, so it is not trusted either.
 constexpr std::array command_line_only = {
-    std::string_view("Output_File_Name"), std::string_view("Create_Ini"),
-    std::string_view("Library_Path"),     std::string_view("All_File"),
-    std::string_view("Debug_File"),       std::string_view("Fatal_File"),
-    std::string_view("Render_File"),      std::string_view("Statistic_File"),
-    std::string_view("Warning_File"),     std::string_view("Radiosity_File_Name"),
-    std::string_view("Max_Macro_Depth"),  std::string_view("Max_Include_Depth"),
-    std::string_view("Max_Loop_Turns"),   std::string_view("Max_Seconds"),
+    std::string_view("Output_File_Name"),   std::string_view("Create_Ini"),
+    std::string_view("Library_Path"),       std::string_view("All_File"),
+    std::string_view("Debug_File"),         std::string_view("Fatal_File"),
+    std::string_view("Render_File"),        std::string_view("Statistic_File"),
+    std::string_view("Warning_File"),       std::string_view("Radiosity_File_Name"),
+    std::string_view("Max_Macro_Depth"),    std::string_view("Max_Include_Depth"),
+    std::string_view("Max_Loop_Turns"),     std::string_view("Max_Seconds"),
     std::string_view("Max_Render_Seconds"), std::string_view("Max_Memory"),
-    std::string_view("Max_Pixels"),       std::string_view("Max_Frames"),
+    std::string_view("Max_Pixels"),         std::string_view("Max_Frames"),
 };
 
 }  // namespace
@@ -70,8 +70,10 @@ Problem check_untrusted(const Settings& s) {
   }
   for (const std::string_view keyword : command_line_only) {
     if (std::ranges::find(s.from_ini, keyword) == s.from_ini.end()) continue;
-    return fmt::format("{} stands in an INI file: in an untrusted run only the command line may "
-                       "give it", keyword);
+    return fmt::format(
+        "{} stands in an INI file: in an untrusted run only the command line may "
+        "give it",
+        keyword);
   }
   return {};
 }

@@ -147,12 +147,14 @@ Option{"Test_Abort_Count",   "",   Form::value, "", "", "n", "", Group::no_effec
 Option{"Palette",            "",   Form::value, "", "", "x", "of the preview", Group::no_effect, apply::ignored_text},
 Option{"Video_Mode",         "",   Form::value, "", "", "x", "of the preview", Group::no_effect, apply::ignored_text},
 Option{"Dither_Method",      "",   Form::value, "", "", "m", "used by Dither, below", Group::no_effect, apply::ignored_text},
-Option{"Buffer_Output",      "",   Form::flag,  "", "", "", "obsolete", Group::no_effect, apply::ignored_boolean},
-Option{"Buffer_Size",        "",   Form::value, "", "", "n", "obsolete", Group::no_effect, apply::ignored_number},
-Option{"Create_Histogram",   "",   Form::flag,  "", "", "", "obsolete", Group::no_effect, apply::ignored_boolean},
-Option{"Histogram_Name",     "",   Form::value, "", "", "file", "obsolete", Group::no_effect, apply::ignored_text},
-Option{"Histogram_Type",     "",   Form::value, "", "", "t", "obsolete", Group::no_effect, apply::ignored_text},
-Option{"Histogram_Grid_Size","",   Form::value, "", "", "x", "obsolete", Group::no_effect, apply::ignored_text},
+
+// Obsolete, with a warning
+Option{"Buffer_Output",      "",   Form::flag,  "", "", "", "", Group::obsolete, apply::ignored_boolean},
+Option{"Buffer_Size",        "",   Form::value, "", "", "n", "", Group::obsolete, apply::ignored_number},
+Option{"Create_Histogram",   "",   Form::flag,  "", "", "", "", Group::obsolete, apply::ignored_boolean},
+Option{"Histogram_Name",     "",   Form::value, "", "", "file", "", Group::obsolete, apply::ignored_text},
+Option{"Histogram_Type",     "",   Form::value, "", "", "t", "", Group::obsolete, apply::ignored_text},
+Option{"Histogram_Grid_Size","",   Form::value, "", "", "x", "", Group::obsolete, apply::ignored_text},
 
 // Known, and an error when switched on
 Option{"Dither",             "TH", Form::flag,  "Dither_Method", "", "[m]", "dithering", Group::not_yet, apply::only_off},

@@ -30,6 +30,7 @@ enum class Group : std::uint8_t {
   debugging,
   messages,
   no_effect,
+  obsolete,  // read, with a warning
   not_yet
 };
 

@@ -59,6 +59,15 @@ void Reader::error(std::string message, const Written& where, std::string help) 
   diagnostics_->report(std::move(d));
 }
 
+void Reader::warn_obsolete(const Option& option, const Written& where) {
+  Diagnostic d;
+  d.severity = Severity::warning;
+  d.code = Code::option;
+  d.span = where.span;
+  d.message = fmt::format("`{}`: {} is obsolete and has no effect", where.text, option.keyword);
+  diagnostics_->report(std::move(d));
+}
+
 void Reader::keyword(std::string_view name, std::string_view value, const Written& where) {
   const Option* option = option_of_keyword(name);
   if (!option) {
@@ -69,6 +78,7 @@ void Reader::keyword(std::string_view name, std::string_view value, const Writte
   if (const Problem problem = option->apply(*settings_, value)) {
     return error(fmt::format("`{}`: {}", where.text, *problem), where);
   }
+  if (option->group == Group::obsolete) warn_obsolete(*option, where);
   settings_->history.emplace_back(option->keyword, value);
   if (where.span.begin != 0) settings_->from_ini.emplace_back(option->keyword);
 }

@@ -34,6 +34,7 @@ class Reader {
   void flag(const Option& option, bool on, std::string_view attached, const Written& where);
   void output_type(const Option& option, bool on, std::string_view attached, const Written& where);
   void bare_word(std::string_view text, const Written& where);
+  void warn_obsolete(const Option& option, const Written& where);
   void unknown_switch(std::string_view text, const Written& where);
   void ini_text(FileId file, std::string_view section);
   void ini_line(std::string_view line);

@@ -24,8 +24,9 @@ void guard_memory(const Settings& settings) {
   Diagnostic d;
   d.code = Code::limit;
   const std::size_t bytes = limits_of(settings).reading.memory;
-  d.message = bytes > 0 ? fmt::format("more memory is needed than Max_Memory={} allows", bytes >> 20)
-                        : "there is no more memory";
+  d.message = bytes > 0
+                  ? fmt::format("more memory is needed than Max_Memory={} allows", bytes >> 20)
+                  : "there is no more memory";
   if (bytes > 0) d.help.emplace_back("raise it with `--max-memory <megabytes>`");
   const std::string message =
       settings.json ? diagnostic_json(d, none) : render_diagnostic(d, none, colour_wanted());

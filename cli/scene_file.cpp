@@ -16,12 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_file(const fs::path& path) {
-  std::error_code ignored;
-  // Pipes and devices may hold a scene as well as a file: /dev/fd/3.
-  return fs::exists(path, ignored) && !fs::is_directory(path, ignored);
-}
-
 std::vector<fs::path> folders_for(const std::string& name, const Settings& settings) {
   std::vector<fs::path> folders = {""};
   if (name.starts_with('/')) return folders;
@@ -31,30 +25,21 @@ std::vector<fs::path> folders_for(const std::string& name, const Settings& setti
 
 constexpr std::array<const char*, 4> suffixes = {"", ".pov", ".POV", ".scene"};
 
-std::string find_exactly(const Settings& s) {
-  for (const char* suffix : suffixes) {
-    for (const fs::path& folder : folders_for(s.input, s)) {
-      const fs::path path = folder / (s.input + suffix);
-      if (is_file(path)) return path.string();
-    }
+/// Empty if there is none.
+std::string find_scene(const Settings& s, Diagnostics& diagnostics) {
+  std::vector<std::string> names;
+  for (const char* suffix : suffixes) names.push_back(s.input + suffix);
+  const auto found = find_file(names, folders_for(s.input, s), true);
+  if (!found) return {};
+  if (found->other_spelling) {
+    Diagnostic d;
+    d.severity = Severity::warning;
+    d.code = Code::file_found_elsewhere;
+    d.message =
+        fmt::format("there is no `{}`; `{}` is taken instead", s.input, found->path.string());
+    diagnostics.report(std::move(d));
   }
-  return {};
-}
-
-std::string find_tolerantly(const Settings& s, Diagnostics& diagnostics) {
-  for (const char* suffix : suffixes) {
-    for (const fs::path& folder : folders_for(s.input, s)) {
-      const fs::path path = find_any_case(folder, s.input + suffix);
-      if (path.empty()) continue;
-      Diagnostic d;
-      d.severity = Severity::warning;
-      d.code = Code::file_found_elsewhere;
-      d.message = fmt::format("there is no `{}`; `{}` is taken instead", s.input, path.string());
-      diagnostics.report(std::move(d));
-      return path.string();
-    }
-  }
-  return {};
+  return found->path.string();
 }
 
 void report_missing(std::string message, Diagnostics& diagnostics) {
@@ -77,8 +62,7 @@ std::optional<std::string> read_file(const std::string& path) {
 
 std::optional<SceneText> read_scene(Settings& settings, Diagnostics& diagnostics) {
   if (settings.input != "-") {
-    std::string path = find_exactly(settings);
-    if (path.empty()) path = find_tolerantly(settings, diagnostics);
+    std::string path = find_scene(settings, diagnostics);
     if (path.empty()) {
       report_missing(fmt::format("there is no scene `{}`", settings.input), diagnostics);
       return std::nullopt;

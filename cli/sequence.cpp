@@ -48,7 +48,10 @@ class Sequence {
       case Action::ignore: return Flow::on;
       case Action::skip: return Flow::skip;
       case Action::skip_all: return Flow::skip_all;
-      case Action::quit: code_ = exit_code::ok; quit_ = true; return Flow::end;
+      case Action::quit:
+        code_ = exit_code::ok;
+        quit_ = true;
+        return Flow::end;
       case Action::user_abort: code_ = exit_code::interrupted; return Flow::end;
       case Action::fatal: code_ = exit_code::error; return Flow::end;
     }

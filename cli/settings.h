@@ -81,7 +81,7 @@ struct Settings {
   std::vector<std::pair<std::string, std::variant<double, std::string>>> declares;
   double clock = 0;
   bool clock_given = false;
-  int version = 0;           // hundredths; 0: not given
+  int version = 0;          // hundredths; 0: not given
   std::string header_file;  // read before the scene
 
   // Animation; see animation.h

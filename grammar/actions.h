@@ -64,6 +64,7 @@ template <> struct on<number>           : with_text<&Builder::number> {};
 template <> struct on<string>           : with_text<&Builder::string> {};
 template <> struct on<name>             : with_text<&Builder::name> {};
 template <> struct on<any_name>         : with_text<&Builder::name> {};
+template <> struct on<scope_name>       : with_text<&Builder::name> {};
 template <> struct on<new_name>         : with_text<&Builder::name> {};
 template <> struct on<member_name>      : with_text<&Builder::member> {};
 template <char C> struct on<mark_of<C>> : with_text<&Builder::token> {};
@@ -84,6 +85,7 @@ template <> struct on<vector_open>      : opens<Frame::vector> {};
 template <> struct on<vector_close>     : with_place<&Builder::close_vector> {};
 template <> struct on<index_begin>      : opens<Frame::index> {};
 template <> struct on<index>            : plainly<&Builder::close_index> {};
+template <> struct on<element>          : plainly<&Builder::close_index> {};
 template <> struct on<subscript_open>   : opens<Frame::subscript> {};
 template <> struct on<subscript_close>  : with_place<&Builder::close_subscript> {};
 template <> struct on<call_open> {
@@ -119,6 +121,13 @@ template <> struct on<deprecated_once> {
 template <SymbolId Word> struct on<declare_head<Word>> {
   template <typename Input>
   static void apply(const Input& in, Builder& b) { b.begin_declare(text_of(in), Word == words::local); }
+};
+template <> struct on<tuple_open>       : opens_in<Frame::head, false> {};
+template <> struct on<tuple_gap>        : plainly<&Builder::tuple_gap> {};
+template <> struct on<tuple_close>      : with_text<&Builder::token> {};
+template <SymbolId Word> struct on<tuple_head<Word>> {
+  template <typename Input>
+  static void apply(const Input& in, Builder& b) { b.begin_tuple(text_of(in), Word == words::local); }
 };
 template <> struct on<closed_by_mark> {
   static void apply0(Builder& b) { b.declared_value(true); }
@@ -159,6 +168,7 @@ template <> struct on<while_head>       : with_text<&Builder::begin_while> {};
 template <> struct on<for_open>         : opens_in<Frame::head, false> {};
 template <> struct on<for_head>         : with_text<&Builder::begin_for> {};
 template <> struct on<macro_param>      : with_text<&Builder::macro_param> {};
+template <> struct on<optional_param>   : plainly<&Builder::optional_param> {};
 template <> struct on<macro_head>       : with_text<&Builder::begin_macro> {};
 template <> struct on<repeated>         : plainly<&Builder::end_loop_or_macro> {};
 

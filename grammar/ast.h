@@ -93,7 +93,7 @@ struct Conditional {
   ExprId no = none;
 };
 /// `name(a, b)` or `name[i](a, b)` with plain expressions as arguments (in Tree::expr_lists).
-/// `callee` is a Name or an Index.
+/// `callee` is a Name or an Index, or since 3.8 a Member or an Element.
 struct Call {
   ExprId callee = none;
   Range args;
@@ -106,6 +106,11 @@ struct Index {
 struct Member {
   ExprId object = none;
   SymbolId member = 0;
+};
+/// `place[i]` where the array is an entry of a dictionary: `object` is a Member or an Element.
+struct Element {
+  ExprId object = none;
+  Range subscripts;
 };
 /// A delimited part whose content is no plain expression list: read item by item (Tree::items).
 /// An index holds one `brackets` item per subscript; the others hold what stands inside.
@@ -126,7 +131,7 @@ struct Expr {
   /// that readers may recurse.
   std::uint16_t height = 1;
   std::variant<Number, String, Name, Paren, Vector, Unary, Binary, Conditional, Call, Index, Member,
-               OpenGroup>
+               OpenGroup, Element>
       node;
 };
 
@@ -168,13 +173,22 @@ struct Declare {
   ExprId deprecated_message = none;
   SymbolId name = 0;
   Range subscripts;     // Tree::expr_lists
+  ExprId place = none;  // the target if it is more than a name with subscripts: `D.key[i]`
   ExprId value = none;  // none: read from the items that follow
   bool semicolon = false;
   Span target;
 };
+/// Several targets at once: `(A, B) = (1, 2);` one after the other, `<A, B> = V;` components,
+/// `{A, , B} = List;` elements. The value is whatever items follow.
+struct Tuple {
+  bool local = false;
+  char kind = '(';
+  Range targets;  // Tree::expr_lists; none for gaps
+};
 struct Undef {
   SymbolId name = 0;
   Range subscripts;
+  ExprId place = none;
 };
 
 /// What a body comes to, as far as its text tells. Most bodies of loops and macros are no part of a
@@ -225,6 +239,7 @@ struct Switch {
 struct Param {
   SymbolId name = 0;
   Span span;
+  bool optional = false;
 };
 struct Macro {
   SymbolId name = 0;
@@ -263,7 +278,7 @@ struct Unknown {
 struct Directive {
   Span span;  // from `#` to the end of the head (not of the body)
   std::variant<Declare, Undef, If, While, For, Switch, Macro, Break, Include, Version, Message,
-               Simple, Unknown>
+               Simple, Unknown, Tuple>
       node;
 };
 

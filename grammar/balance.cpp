@@ -43,7 +43,7 @@ void Balance::close(char bracket, std::size_t at) {
   strays_.push_back(at);
   if (region.kind != Kind::file) {
     region.closes += bracket;
-  } else if (bracket != '}' || last_unknown_call_ == 0) {
+  } else if (bracket != '}' || (last_unknown_call_ == 0 && !included_)) {
     report(span(at, 1), fmt::format("no matching `{}`", wanted), "closes nothing");
   }
 }
@@ -53,7 +53,7 @@ void Balance::leave_open(const Mark& mark, Span noticed) {
   if (mark.borrowed) return;
   strays_.push_back(mark.at);
   if (regions_.back().kind != Kind::file) return;
-  if (mark.bracket == '{' && last_unknown_call_ > mark.at) return;
+  if (mark.bracket == '{' && (last_unknown_call_ > mark.at || included_)) return;
   const char missing = partner(mark.bracket);
   Diagnostic& d = report(noticed, fmt::format("no matching `{}`", missing),
                          fmt::format("expected `{}` before this", missing),
@@ -97,6 +97,8 @@ void Balance::directive(std::string_view word, std::size_t at, std::size_t size)
     next_branch(Kind::switch_, word, here);
   } else if (word == "end") {
     end(here);
+  } else if (word == "include") {
+    last_unknown_call_ = at + 1;
   }
 }
 

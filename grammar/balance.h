@@ -16,11 +16,16 @@ namespace durer::grammar {
 
 /// Bracket bookkeeping of one file. Outside of directive bodies everything must pair, except that
 /// - the branches of a conditional may open what a later conditional, or the file, closes;
-/// - macros may open and close what their caller closes or has opened.
+/// - macros and includes may open and close what their caller closes or has opened.
 class Balance {
  public:
-  Balance(std::string_view text, Loc base, const SymbolTable& symbols, Diagnostics& diagnostics)
-      : text_(text), base_(base), symbols_(&symbols), diagnostics_(&diagnostics) {
+  Balance(std::string_view text, Loc base, const SymbolTable& symbols, Diagnostics& diagnostics,
+          bool included = false)
+      : text_(text),
+        base_(base),
+        symbols_(&symbols),
+        diagnostics_(&diagnostics),
+        included_(included) {
     regions_.push_back({});
   }
 
@@ -83,6 +88,7 @@ class Balance {
   Loc base_;
   const SymbolTable* symbols_;
   Diagnostics* diagnostics_;
+  bool included_;
   std::vector<Diagnostic> found_;
   std::vector<Mark> marks_;
   std::vector<Region> regions_;

@@ -38,13 +38,30 @@ void Builder::deprecated(bool once) {
   deprecated_once_ = once;
 }
 
-// A name without subscripts is an index with none; subscripts to be read item by item become
-// parentheses to be read so.
-ast::Index Builder::target_of(ExprId target) {
+// Subscripts to be read item by item become parentheses to be read so.
+Builder::Target Builder::target_of(ExprId target) {
   if (const auto* name = std::get_if<ast::Name>(&expr(target).node)) return {name->name, {}};
-  if (const auto* index = std::get_if<ast::Index>(&expr(target).node)) return *index;
+  if (const auto* index = std::get_if<ast::Index>(&expr(target).node)) {
+    const bool scope = index->name == words::local || index->name == additions::global;
+    return {index->name, index->subscripts, scope ? target : ast::none};
+  }
+  if (!std::holds_alternative<ast::OpenGroup>(expr(target).node)) {
+    // An entry: the name is that of the outermost dictionary.
+    ExprId outer = target;
+    for (;;) {
+      const auto& node = expr(outer).node;
+      if (const auto* member = std::get_if<ast::Member>(&node)) {
+        outer = member->object;
+      } else if (const auto* element = std::get_if<ast::Element>(&node)) {
+        outer = element->object;
+      } else {
+        break;
+      }
+    }
+    return {target_of(outer).name, {}, target};
+  }
   const auto group = std::get<ast::OpenGroup>(expr(target).node);
-  ast::Index place{group.name, {static_cast<std::uint32_t>(tree_->expr_lists.size()), 0}};
+  Target place{group.name, {static_cast<std::uint32_t>(tree_->expr_lists.size()), 0}};
   for (; place.subscripts.count < group.items.count; ++place.subscripts.count) {
     const ast::Item& item = tree_->items[group.items.first + place.subscripts.count];
     const ast::Range inside = tree_->groups[item.ref].items;
@@ -61,12 +78,26 @@ void Builder::begin_declare(std::string_view head, bool local) {
   d.deprecated_once = deprecated_once_;
   const ExprId target = pop();
   d.target = expr(target).span;
-  const ast::Index place = target_of(target);
+  const Target place = target_of(target);
   d.name = place.name;
   d.subscripts = place.subscripts;
+  d.place = place.place;
   if (operands_.size() > frames_.back().operands) d.deprecated_message = pop();
   deprecated_ = deprecated_once_ = false;
   push_directive({token_span(head), d});
+}
+
+void Builder::begin_tuple(std::string_view head, bool local) {
+  ast::Tuple t;
+  t.local = local;
+  t.kind = *(begin_ + (frames_.back().open.begin - base_));
+  const auto from = operands_.begin() + frames_.back().operands;
+  t.targets = {static_cast<std::uint32_t>(tree_->expr_lists.size()),
+               static_cast<std::uint32_t>(operands_.end() - from)};
+  tree_->expr_lists.insert(tree_->expr_lists.end(), from, operands_.end());
+  operands_.erase(from, operands_.end());
+  frames_.pop_back();
+  push_directive({token_span(head), t});
 }
 
 void Builder::declared_value(bool semicolon) {
@@ -96,8 +127,8 @@ void Builder::open_value(const char* next) {
 }
 
 void Builder::undef(std::string_view head) {
-  const ast::Index place = target_of(pop());
-  push_directive({token_span(head), ast::Undef{place.name, place.subscripts}});
+  const Target place = target_of(pop());
+  push_directive({token_span(head), ast::Undef{place.name, place.subscripts, place.place}});
 }
 
 void Builder::directive_operand() {

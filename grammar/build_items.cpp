@@ -74,6 +74,7 @@ bool Builder::mark_allowed(const char* at) const {
     return frame.directive_seen && (c == '+' || c == '-' || c == '*' || c == '/' || c == '.');
   }
   if (c == ',' || c == ';' || in_body() || is_stray(at)) return true;
+  if (frame.dictionary && (c == ':' || c == '.')) return true;  // `["key"]: 1, .key: 2`
   const ast::Item* last = last_item();
   if (last == nullptr) return frame.kind == FrameKind::file;  // of an include inside an expression
   switch (last->kind) {
@@ -101,6 +102,14 @@ bool Builder::function_ahead() const {
     if (item.kind != ItemKind::expr && !comma) return false;
   }
   return false;
+}
+
+bool Builder::after_entry() const {
+  if (operands_.size() == frames_.back().operands || operands_.back() == ast::none) return false;
+  const auto& node = expr(operands_.back()).node;
+  if (std::holds_alternative<ast::Element>(node)) return true;
+  const auto* member = std::get_if<ast::Member>(&node);
+  return member != nullptr && !symbols_->reserved(member->member);
 }
 
 bool Builder::after_operand() const {

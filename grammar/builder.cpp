@@ -54,7 +54,7 @@ ast::Op op_of(std::string_view text) {
 }  // namespace
 
 Builder::Builder(std::string_view text, Loc base, SymbolTable& symbols, const Balance& balance,
-                 const LiteralRuns& runs, ast::Tree& tree)
+                 const LiteralRuns& runs, ast::Tree& tree, bool lenient)
     : begin_(text.data()),
       end_(text.data() + text.size()),
       base_(base),
@@ -62,7 +62,8 @@ Builder::Builder(std::string_view text, Loc base, SymbolTable& symbols, const Ba
       balance_(&balance),
       runs_(&runs),
       tree_(&tree),
-      last_end_(base) {
+      last_end_(base),
+      lenient_(lenient) {
   // Upper bounds, not guesses: a mesh of 30 MB must not be copied while it grows.
   tree.exprs.reserve(balance.operands + balance.operators);
   tree.expr_lists.reserve(balance.operands);
@@ -138,6 +139,31 @@ Failure Builder::failure(const char* at, std::string_view expected, Failure::Kin
 
 void Builder::flaw(const char* item, const Failure& why) {
   tree_->flaws.push_back({char_span(item).begin, diagnostic(why)});
+}
+
+// A statement ends where its brackets are closed and, if the trouble was outside of them, the line.
+const char* Builder::skip_bad_item(const char* at, const Failure& why) {
+  flaws_of_file_.push_back(diagnostic(why));
+  if (*at == '#') {
+    const char* word = at + 1;
+    while (word != end_ && *word == ' ') ++word;
+    // The body of a directive whose head is bad would be taken for statements of the file.
+    const Word* w = word_at(word, end_);
+    const bool has_body = w == nullptr || w->id == words::if_ || w->id == words::ifdef ||
+                          w->id == words::ifndef || w->id == words::while_ ||
+                          w->id == words::for_ || w->id == words::switch_ || w->id == words::macro;
+    if (has_body) return nullptr;
+  }
+  int depth = 0;
+  bool quoted = false;
+  for (const char* c = at; c != end_; ++c) {
+    if (*c == '"' && (c == at || c[-1] != '\\')) quoted = !quoted;
+    if (quoted) continue;
+    if (*c == '{' || *c == '(' || *c == '[') ++depth;
+    if ((*c == '}' || *c == ')' || *c == ']') && --depth <= 0 && c >= why.at) return c + 1;
+    if (*c == '\n' && depth <= 0 && c >= why.at) return c;
+  }
+  return nullptr;
 }
 
 void Builder::enter(const char* at) {
@@ -249,6 +275,11 @@ void Builder::open(FrameKind kind, const char* at, bool in_function, bool argume
   f.in_function = in_function;
   f.arguments = arguments;
   f.bodies = frames_.back().bodies;
+  if (const ast::Item* last = last_item();
+      kind == FrameKind::braces && last != nullptr && last->kind == ast::ItemKind::expr) {
+    const auto* name = std::get_if<ast::Name>(&expr(last->ref).node);
+    f.dictionary = name != nullptr && name->name == additions::dictionary;
+  }
   f.open = char_span(at);
   f.items = static_cast<std::uint32_t>(items_.size());
   f.operands = static_cast<std::uint32_t>(operands_.size());
@@ -334,8 +365,10 @@ void Builder::close_subscript(const char* at) {
 void Builder::close_index() {
   const Frame frame = frames_.back();
   const ExprId array = pop();
-  const SymbolId name = std::get<ast::Name>(expr(array).node).name;
+  const auto* array_name = std::get_if<ast::Name>(&expr(array).node);
   const Span where = expr(array).span.to({last_end_ - 1, 1});
+  if (array_name == nullptr) return close_element(array, where);
+  const SymbolId name = array_name->name;
   const auto from = items_.begin() + frame.items;
   const bool plain = std::all_of(from, items_.end(),
                                  [](const ast::Item& i) { return i.kind == ast::ItemKind::expr; });
@@ -356,6 +389,20 @@ void Builder::close_index() {
     item->ref = static_cast<std::uint32_t>(tree_->groups.size() - 1);
   }
   close_open_group(where, {ast::OpenGroup::Kind::index, ast::none, name, {}});
+}
+
+// Subscripts of an entry of a dictionary: plain ones only.
+void Builder::close_element(ExprId object, Span where) {
+  const Frame frame = frames_.back();
+  ast::Range subscripts;
+  if (!plain_list(subscripts)) {
+    throw failure(begin_ + (frame.open.begin - base_), "plain numbers as subscripts");
+  }
+  items_.resize(frame.items);
+  frames_.pop_back();
+  push(where, expr(object).may_expand || may_expand(subscripts),
+       1U + std::max<std::uint32_t>(height_of(subscripts), expr(object).height),
+       ast::Element{object, subscripts});
 }
 
 bool Builder::close_vector(const char* at) {

@@ -34,7 +34,7 @@ struct Failure {
 class Builder {
  public:
   Builder(std::string_view text, Loc base, SymbolTable& symbols, const Balance& balance,
-          const LiteralRuns& runs, ast::Tree& tree);
+          const LiteralRuns& runs, ast::Tree& tree, bool lenient = false);
 
   // ---- what the rules ask --------------------------------------------------------------------
 
@@ -60,6 +60,9 @@ class Builder {
   [[nodiscard]] bool relation_only() const;
   /// True if `<` here, which begins no vector, may be a relation or a stray mark.
   [[nodiscard]] bool relation_possible(bool directive_seen) const;
+  /// True if the operand before this place is a member that no component is called: only entries of
+  /// dictionaries have elements and can be called.
+  [[nodiscard]] bool after_entry() const;
   /// True if the item before this place is an expression.
   [[nodiscard]] bool after_operand() const;
 
@@ -78,6 +81,12 @@ class Builder {
   }
   void remember_bad_item(const char* at) { bad_items_.insert(at); }
   void flaw(const char* item, const Failure& why);
+  /// In a lenient run: errors outside of directive bodies.
+  [[nodiscard]] const std::vector<Diagnostic>& flaws_of_file() const { return flaws_of_file_; }
+  /// True where such a run skips an item that cannot be read.
+  [[nodiscard]] bool skips_bad_items() const { return lenient_ && frames_.size() == 1; }
+  /// Notes why, and tells where the next item begins; null if that cannot be told.
+  const char* skip_bad_item(const char* at, const Failure& why);
   [[nodiscard]] Failure failure(const char* at, std::string_view expected,
                                 Failure::Kind kind = Failure::Kind::expected) const;
   [[nodiscard]] Diagnostic diagnostic(const Failure& f) const;
@@ -145,6 +154,8 @@ class Builder {
   // text from `#` to the last token of the head; white space may follow in it.
 
   void begin_declare(std::string_view head, bool local);
+  void begin_tuple(std::string_view head, bool local);
+  void tuple_gap() { operands_.push_back(ast::none); }
   void deprecated(bool once);
   void declared_value(bool semicolon);
   /// No `;` follows: a value only if nothing at `next` can continue it, otherwise an item.
@@ -160,6 +171,7 @@ class Builder {
   void begin_for(std::string_view head);
   void begin_macro(std::string_view head);
   void macro_param(std::string_view text);
+  void optional_param() { tree_->params.back().optional = true; }
   void end_loop_or_macro();
   template <typename Node>
   void simple_directive(std::string_view head, Node node) {
@@ -176,6 +188,7 @@ class Builder {
     bool in_function = false;  // `&` binds tighter than `|`
     bool arguments = false;    // call arguments: a `<` after an operand may begin the next one
     bool directive_seen = false;
+    bool dictionary = false;  // the braces after `dictionary`
     std::uint32_t bodies = 0;  // directive bodies around
     Span open{};
     std::uint32_t items = 0;     // first of its items in items_
@@ -205,7 +218,13 @@ class Builder {
   }
   [[noreturn]] void too_deep(Span where) const;
   ast::ExprId pop();
-  ast::Index target_of(ast::ExprId target);
+  /// A name with its subscripts, or the expression itself as `place`.
+  struct Target {
+    SymbolId name = 0;
+    ast::Range subscripts;
+    ast::ExprId place = ast::none;
+  };
+  Target target_of(ast::ExprId target);
   [[nodiscard]] const ast::Expr& expr(ast::ExprId id) const { return tree_->exprs[id]; }
   [[nodiscard]] std::uint32_t height_of(ast::Range list) const;
   [[nodiscard]] bool may_expand(ast::Range list) const;
@@ -216,6 +235,7 @@ class Builder {
   /// The expressions of the top frame, if its items are a plain list of them.
   bool plain_list(ast::Range& out);
   void close_open_group(Span span, ast::OpenGroup group);
+  void close_element(ast::ExprId object, Span where);
 
   void push_directive(ast::Directive d);
   ast::Directive& last_directive();
@@ -249,6 +269,8 @@ class Builder {
   SymbolId unknown_word_ = 0;
   bool deprecated_ = false;
   bool deprecated_once_ = false;
+  bool lenient_ = false;  // a run that looks for more errors only
+  std::vector<Diagnostic> flaws_of_file_;
   std::unordered_set<const char*> bad_attempts_;
   std::unordered_set<const char*> bad_items_;
 };

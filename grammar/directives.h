@@ -26,9 +26,9 @@ struct condition_close  : paired<')'> {};
 struct condition        : p::seq<condition_open, gap, deeper<items<full_mode>>, p::must<condition_close>, gap> {};
 
 struct any_name         : any_word {};
-struct lvalue           : p::seq<any_name, gap, p::opt<index>> {};
+struct lvalue           : p::seq<any_name, gap, p::opt<index>, p::opt<entry_path>> {};
 struct new_name         : identifier {};
-struct new_lvalue       : p::seq<new_name, gap, p::opt<index>> {};
+struct new_lvalue       : p::seq<p::sor<scope, p::seq<new_name, gap, p::opt<index>>>, p::opt<entry_path>> {};
 struct bound            : additive {};
 
 struct body             : deeper<items<plain_mode>> {};
@@ -49,6 +49,19 @@ struct closed_by_mark   : semicolon {};
 struct closed_by_next   : p::success {};
 struct declared_value   : p::seq<additive, p::sor<closed_by_mark, closed_by_next>> {};
 struct declare          : p::seq<any_declare_head, p::opt<declared_value>> {};
+
+// Several targets at once (since 3.8). The value becomes the items after the directive.
+struct tuple_mark       : p::one<'(', '<', '{'> {};
+struct tuple_open       : tuple_mark {};
+struct tuple_end        : p::one<')', '>', '}'> {};
+struct tuple_close      : tuple_end {};
+struct tuple_gap        : p::at<p::sor<p::one<','>, tuple_end>> {};
+struct tuple_target     : p::sor<tuple_gap, p::must<new_lvalue>> {};
+struct tuple_list       : p::seq<tuple_target, p::star<comma, tuple_target>> {};
+template <SymbolId Word>
+struct tuple_head       : p::seq<p::at<hash<Word>, tuple_mark>, hash<Word>, tuple_open, gap, tuple_list,
+                                 p::must<tuple_close>, gap, p::must<equals>> {};
+struct tuple            : p::sor<tuple_head<words::declare>, tuple_head<words::local>> {};
 
 struct undef            : p::seq<hash<words::undef>, p::must<lvalue>> {};
 
@@ -79,7 +92,9 @@ struct for_head         : p::seq<hash<words::for_>, p::must<for_open>, gap, p::m
                                  p::must<bound>, p::opt<comma>, p::must<bound>, p::opt<comma>, p::opt<bound>,
                                  p::must<closing>> {};
 struct macro_param      : identifier {};
-struct macro_params     : p::star<macro_param, gap, p::opt<comma>> {};
+struct optional_word    : one_word<additions::optional> {};
+struct optional_param   : p::seq<p::at<optional_word, gap, identifier>, optional_word, gap, macro_param> {};
+struct macro_params     : p::star<p::sor<optional_param, macro_param>, gap, p::opt<comma>> {};
 struct params_end       : closing {};
 struct macro_head       : p::seq<hash<words::macro>, p::must<new_name>, gap, p::must<opening>, macro_params,
                                  p::must<params_end>> {};
@@ -87,7 +102,7 @@ struct repeated         : p::seq<p::sor<while_head, for_head, macro_head>, body,
 
 // ---- directives with operands --------------------------------------------------------------------
 
-struct operand_value    : p::sor<text, p::seq<primary, p::opt<member>>> {};
+struct operand_value    : p::sor<text, p::seq<primary, p::opt<members>>> {};
 struct version_value    : additive {};
 template <SymbolId Word>
 struct text_head        : hash<Word> {};
@@ -96,7 +111,8 @@ struct text_directive   : p::seq<p::sor<text_head<words::include>, text_head<wor
                                         text_head<words::statistics>>,
                                  p::opt<operand_value>> {};
 struct version_head     : hash<words::version> {};
-struct version          : p::seq<version_head, p::opt<version_value, p::opt<semicolon>>> {};
+struct unofficial       : p::seq<p::keyword<'u', 'n', 'o', 'f', 'f', 'i', 'c', 'i', 'a', 'l'>, gap> {};
+struct version          : p::seq<version_head, p::opt<unofficial>, p::opt<version_value, p::opt<semicolon>>> {};
 
 template <SymbolId Word>
 struct simple_head      : hash<Word> {};
@@ -132,7 +148,7 @@ struct lone_hash        : p::seq<p::one<'#'>, gap, p::at<p::sor<plain_word, p::o
 
 struct directive_ahead  : p::seq<p::not_at<lone_hash>, p::one<'#'>> {};
 struct directive        : p::seq<p::at<p::one<'#'>>,
-                                 p::sor<declare, conditional, repeated, switch_block, text_directive, file_directive,
+                                 p::sor<tuple, declare, conditional, repeated, switch_block, text_directive, file_directive,
                                         version, simple_directive, undef, lone_hash, unknown>> {};
 
 // ---- what is left of text that cannot be read ----------------------------------------------------

@@ -71,7 +71,9 @@ struct comma            : p::seq<mark_of<','>, gap> {};
 struct prefix           : p::sor<p::one<'+', '-'>, p::seq<p::one<'!'>, p::not_at<p::one<'='>>>> {};
 struct less             : p::seq<p::one<'<'>, p::not_at<p::one<'='>>> {};
 struct greater          : p::seq<p::one<'>'>, p::not_at<p::one<'='>>> {};
-struct primary_start    : p::sor<p::digit, p::seq<p::one<'.'>, p::digit>, paired<'('>, less, operand_word> {};
+/// The scopes as dictionaries: `local.X` (since 3.8); elsewhere `local` is no operand.
+struct scope_ahead      : p::at<one_word<words::local>, gap, p::one<'.', '['>> {};
+struct primary_start    : p::sor<p::digit, p::seq<p::one<'.'>, p::digit>, paired<'('>, less, operand_word, scope_ahead> {};
 struct operand_start    : p::seq<p::star<prefix, gap>, primary_start> {};
 struct additive_start   : p::sor<p::one<'"'>, operand_start> {};
 
@@ -109,17 +111,29 @@ struct variable         : p::seq<p::at<identifier>, name, gap, p::opt<index>, p:
 struct built_in         : p::seq<p::at<function_word>, name, gap, p::opt<call>> {};
 struct constant         : p::seq<p::at<constant_word>, name, gap> {};
 
-struct number_value     : p::seq<number, gap> {};
-struct primary          : p::sor<number_value, vector, variable, constant, built_in, paren> {};
+struct scope_name       : any_word {};
+struct scope            : p::seq<scope_ahead, scope_name, gap, p::opt<index>> {};
 
+struct number_value     : p::seq<number, gap> {};
+struct primary          : p::sor<number_value, vector, variable, constant, built_in, scope, paren> {};
+
+// `V.x`, and entries of dictionaries: `D.list[2].name`, `D.f(3)`.
 struct member_name      : any_word {};
 struct member           : p::seq<p::one<'.'>, gap, member_name, gap> {};
+struct entry_before     : predicate<entry_before> {
+  template <typename Input>
+  static bool test(Input&, Builder& b) { return b.after_entry(); }
+};
+struct element          : p::seq<index_begin, p::plus<subscript>> {};
+struct entry_member     : p::seq<member, p::opt<entry_before, element>> {};
+struct entry_path       : p::seq<entry_member, p::star<entry_before, entry_member>> {};
+struct members          : p::seq<entry_path, p::opt<entry_before, call>> {};
 
 // ---- the additive level --------------------------------------------------------------------------
 
 struct operand;
 struct prefixed         : p::seq<p::at<prefix, gap, operand_start>, prefix, gap, p::must<deeper<operand>>> {};
-struct operand          : p::sor<p::seq<primary, p::opt<member>>, prefixed> {};
+struct operand          : p::sor<p::seq<primary, p::opt<members>>, prefixed> {};
 
 struct product_tail     : p::seq<infix<p::one<'*', '/'>, operand_start>, p::must<operand>> {};
 struct product          : p::seq<operand, p::star<product_tail>> {};

@@ -11,7 +11,8 @@ struct directive_ahead;
 struct fallback;
 
 /// One item. In a directive body nothing is an error until it is executed: what cannot be read
-/// becomes its single tokens there, and the tree remembers why (ast::Flaw).
+/// becomes its single tokens there, and the tree remembers why (ast::Flaw). Outside of them it ends
+/// the parse; a second, lenient one only looks for more errors and skips bad items as a whole.
 template <typename Rule>
 struct recover {
   using rule_t = recover;
@@ -21,7 +22,10 @@ struct recover {
   static bool match(Input& in, Builder& b) {
     const char* const at = in.current();
     b.start_item(at);
-    if (!b.in_body()) return Control<Rule>::template match<A, M, Action, Control>(in, b);
+    if (!b.in_body()) {
+      if (b.skips_bad_items()) return match_or_skip<A, Action, Control>(in, b);
+      return Control<Rule>::template match<A, M, Action, Control>(in, b);
+    }
     if (!b.known_bad_item(at)) {
       const auto checkpoint = b.checkpoint();
       try {
@@ -35,6 +39,24 @@ struct recover {
       }
     }
     return Control<fallback>::template match<A, M, Action, Control>(in, b);
+  }
+
+  template <p::apply_mode A, template <typename...> class Action,
+            template <typename...> class Control, typename Input>
+  static bool match_or_skip(Input& in, Builder& b) {
+    const char* const at = in.current();
+    const auto checkpoint = b.checkpoint();
+    try {
+      return Control<Rule>::template match<A, p::rewind_mode::required, Action, Control>(in, b);
+    } catch (const Failure& why) {
+      if (why.final()) throw;
+      in.iterator() = at;
+      b.rollback(checkpoint);
+      const char* const next = b.skip_bad_item(at, why);
+      if (next == nullptr) throw;
+      in.bump(static_cast<std::size_t>(next - at));
+      return Control<gap>::template match<A, p::rewind_mode::dontcare, Action, Control>(in, b);
+    }
   }
 };
 

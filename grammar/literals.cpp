@@ -20,10 +20,10 @@ const char* skip_digits(const char* at, const char* end) {
   return at;
 }
 
-/// The end of the number with at most one sign at `at`; null if there is none, or one that only
+/// The end of the number at `at`, which may have a minus; null if there is none, or one that only
 /// looks like it (`1e`, `1.5.x`).
 const char* end_of_number(const char* at, const char* end) {
-  if (at != end && (*at == '-' || *at == '+')) at = skip_blanks(at + 1, end);
+  if (at != end && *at == '-') at = skip_blanks(at + 1, end);
   const char* const first = at;
   at = skip_digits(at, end);
   bool digits = at != first;
@@ -67,7 +67,7 @@ constexpr double exact_powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7
 /// the quotient is correctly rounded (Clinger, "How to read floating point numbers accurately").
 double read_number(const char*& at, const char* end) {
   const bool negative = *at == '-';
-  if (negative || *at == '+') at = skip_blanks(at + 1, end);
+  if (negative) at = skip_blanks(at + 1, end);
   const char* const first = at;
   std::uint64_t mantissa = 0;
   for (; at != end && is_digit(*at); ++at) {

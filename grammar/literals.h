@@ -19,7 +19,7 @@ struct LiteralRun {
 };
 
 [[nodiscard]] inline bool may_begin_literal(char c) {
-  return c == '<' || (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.';
+  return c == '<' || (c >= '0' && c <= '9') || c == '-' || c == '.';
 }
 
 /// The run that begins at `from`, blanks allowed between its marks, but no comments. Its last

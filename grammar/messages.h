@@ -32,6 +32,7 @@ template <> inline constexpr auto expected<rules::params_end>      = "a paramete
 template <> inline constexpr auto expected<rules::for_open>        = "`(`";
 template <> inline constexpr auto expected<rules::new_name>        = "a name that is not reserved";
 template <> inline constexpr auto expected<rules::new_lvalue>      = "a name that is not reserved";
+template <> inline constexpr auto expected<rules::tuple_close>     = "`,` or the end of these targets";
 template <> inline constexpr auto expected<rules::lvalue>          = "a name";
 template <> inline constexpr auto expected<rules::equals>          = "`=`";
 template <> inline constexpr auto expected<rules::first_case>      = "`#case`, `#range` or `#else`";

@@ -129,6 +129,10 @@ class Printer {
     out_ += '.';
     name(m.member);
   }
+  void write(const ast::Element& e) {
+    expr(e.object);
+    subscripts(e.subscripts);
+  }
   void write(const ast::OpenGroup& g) {
     using Kind = ast::OpenGroup::Kind;
     if (g.kind == Kind::call) expr(g.callee);
@@ -145,12 +149,32 @@ class Printer {
   void words(ast::Range range) { items(range, ' '); }
   void items(ast::Range range, char separator) {
     for (std::uint32_t i = 0; i < range.count; ++i) {
-      item(tree_.items[range.first + i]);
+      item(tree_.items[range.first + i], separator);
       out_ += separator;
     }
   }
 
-  void item(const ast::Item& i) {
+  /// As if each element were an item: where a list is cut into runs does not show.
+  void literals(const LiteralRun& run, char separator) {
+    LiteralReader reader(run);
+    for (std::uint32_t i = 0; i < run.count; ++i) {
+      double v[5];
+      reader.read(v);
+      if (i > 0) out_ += separator;
+      if (run.width > 1) out_ += '<';
+      for (int k = 0; k < run.width; ++k) {
+        if (k > 0) out_ += ", ";
+        if (std::signbit(v[k])) out_ += '-';
+        out_ += number_text(std::abs(v[k]));
+      }
+      if (run.width > 1) out_ += '>';
+      if (!reader.comma()) continue;
+      out_ += separator;
+      mark(',');
+    }
+  }
+
+  void item(const ast::Item& i, char separator) {
     switch (i.kind) {
       case ast::ItemKind::expr: return expr(i.ref);
       case ast::ItemKind::word: return name(i.ref);
@@ -158,9 +182,7 @@ class Printer {
       case ast::ItemKind::brackets: return group(tree_.groups[i.ref], '[', ']');
       case ast::ItemKind::directive:
         return std::visit([this](const auto& node) { write(node); }, tree_.directives[i.ref].node);
-      case ast::ItemKind::literals:
-        out_ += tree_.literals[i.ref].text;
-        return;
+      case ast::ItemKind::literals: return literals(tree_.literals[i.ref], separator);
       case ast::ItemKind::punct: return mark(i.detail);
     }
   }
@@ -196,15 +218,28 @@ class Printer {
     if (d.deprecated_once) out_ += "once ";
     if (d.deprecated_message != ast::none) operand("", d.deprecated_message);
     out_ += ' ';
-    name(d.name);
-    subscripts(d.subscripts);
+    target(d.name, d.subscripts, d.place);
     operand(" =", d.value);
     if (d.semicolon) out_ += ';';
   }
+  void target(SymbolId symbol, ast::Range list, ast::ExprId place) {
+    if (place != ast::none) return expr(place);
+    name(symbol);
+    subscripts(list);
+  }
   void write(const ast::Undef& u) {
     out_ += "#undef ";
-    name(u.name);
-    subscripts(u.subscripts);
+    target(u.name, u.subscripts, u.place);
+  }
+  void write(const ast::Tuple& t) {
+    out_ += t.local ? "#local " : "#declare ";
+    out_ += t.kind;
+    for (std::uint32_t i = 0; i < t.targets.count; ++i) {
+      if (i > 0) out_ += ", ";
+      const ast::ExprId id = tree_.expr_lists[t.targets.first + i];
+      if (id != ast::none) expr(id);
+    }
+    out_ += t.kind == '(' ? ") =" : t.kind == '<' ? "> =" : "} =";
   }
   void write(const ast::If& n) {
     for (std::uint32_t i = 0; i < n.branches.count; ++i) {
@@ -273,6 +308,7 @@ class Printer {
     out_ += '(';
     for (std::uint32_t i = 0; i < m.params.count; ++i) {
       if (i > 0) out_ += ", ";
+      if (tree_.params[m.params.first + i].optional) out_ += "optional ";
       name(tree_.params[m.params.first + i].name);
     }
     out_ += ")\n";

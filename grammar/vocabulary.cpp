@@ -16,6 +16,12 @@ constexpr ReservedWord reserved_words[] = {
 #undef DURER_WORD
 };
 
+constexpr std::string_view added_words[] = {
+#define DURER_ADDITION(enumerator, text) text,
+#include "grammar/additions.def"
+#undef DURER_ADDITION
+};
+
 }  // namespace
 
 SymbolTable::SymbolTable() {
@@ -25,6 +31,7 @@ SymbolTable::SymbolTable() {
     intern(word.text);
     classes_.push_back(word.word_class);
   }
+  for (const std::string_view word : added_words) intern(word);
 }
 
 SymbolId SymbolTable::intern(std::string_view text) {

@@ -32,6 +32,17 @@ enum : SymbolId {
 };
 }  // namespace words
 
+/// Words since 3.8, which follow the reserved ones: additions::mixed is the SymbolId of "mixed".
+namespace additions {
+enum : SymbolId {
+  before_ = words::count_ - 1,
+#define DURER_ADDITION(enumerator, text) enumerator,
+#include "grammar/additions.def"
+#undef DURER_ADDITION
+  end_
+};
+}  // namespace additions
+
 /// Interns names. One table serves all files of a run.
 class SymbolTable {
  public:
@@ -47,6 +58,10 @@ class SymbolTable {
     return id < classes_.size() ? classes_[id] : WordClass::identifier;
   }
   [[nodiscard]] bool reserved(SymbolId id) const { return id < words::count_; }
+  /// True for words that are reserved since 3.8 only.
+  [[nodiscard]] static bool added(SymbolId id) {
+    return id >= words::count_ && id < additions::end_;
+  }
   [[nodiscard]] std::size_t size() const { return texts_.size(); }
 
   static constexpr SymbolId none = 0xFFFFFFFF;

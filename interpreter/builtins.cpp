@@ -206,7 +206,7 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
       const Text a = args.text();
       return number(a.difference(args.text()));
     }
-    case w::file_exists: return number(find_file(args.text().bytes(), e.span, false) ? 1 : 0);
+    case w::file_exists: return number(find_file(args.text().bytes(), e.span, {}, false) ? 1 : 0);
     case w::defined: {
       if (args.skip_word()) return number(0);  // words of the language are not declared
       const ast::ExprId id = args.expression();

@@ -48,7 +48,7 @@ void Interpreter::store(Value& target, Value value, bool is_element, const Array
     target.set(*value.get<Num>());
     return;
   }
-  if (is_element && array != nullptr) {
+  if (is_element && array != nullptr && !array->mixed) {
     const Value* first = target.defined() ? &target : first_defined(*array);
     if (first != nullptr && !same_kind(*first, value)) {
       fail(Code::wrong_kind, span,
@@ -64,6 +64,7 @@ void Interpreter::store(Value& target, Value value, bool is_element, const Array
 /// with nothing evaluated, if it is anything else.
 bool Interpreter::assign_number(const ast::Tree& tree, const ast::Declare& node) {
   if (node.value == ast::none || node.subscripts.count > 0 || node.deprecated) return false;
+  if (node.place != ast::none) return false;
   if (!node.semicolon && version() >= 350) return false;
   if (!is_number(tree.exprs[node.value])) return false;
   Slot* slot = node.local ? env_.find_in_scope(node.name, env_.scope()) : env_.find(node.name);
@@ -79,14 +80,32 @@ bool Interpreter::assign_number(const ast::Tree& tree, const ast::Declare& node)
   return true;
 }
 
-void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Declare& node) {
+/// Numbers end with a semicolon, since version 3.1 in earnest since 3.5 (language §1.7).
+void Interpreter::missing_semicolon(const ast::Declare& node, const Num& n) {
+  if (version() < 310) return;
+  const std::string_view kind = n.length == 1 ? "float" : n.length == 5 ? "colour" : "vector";
+  std::string message = fmt::format("this `#{}` of a {} must end with `;`",
+                                    node.local ? "local" : "declare", kind);
+  const std::string_view help = "add a `;` after the value";
+  if (version() < 350) return warn(Code::syntax, node.target, std::move(message), std::string(help));
+  // The value is known: nothing else suffers.
+  Diagnostic d;
+  d.code = Code::syntax;
+  d.span = node.target;
+  d.message = std::move(message);
+  d.help.emplace_back(help);
+  report(std::move(d));
+}
+
+void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Declare& node) try {
   (void)d;
-  if (symbols_.reserved(node.name)) {
+  if (symbols_.reserved(node.name) && node.place == ast::none) {
     fail(Code::unexpected_item, node.target,
          fmt::format("`{}` is a word of the language and cannot be declared", name_of(node.name)),
          "choose another name; names that start with a capital letter are always free");
   }
   if (assign_number(tree, node)) return;
+  if (node.subscripts.count == 0 && node.place == ast::none) check_new_name(node.name, node.target);
   // Where the value goes is settled first: its last operand may stand inside a macro, whose scope
   // is still open then. The old value stays visible while the new one is worked out.
   const std::uint32_t scope = env_.scope();
@@ -103,27 +122,31 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
     declare_depth_ = outer;
     semicolon = accept_raw_punct(';');
   }
-  if (!semicolon && value.get<Num>() != nullptr && version() >= 350) {
-    const Num& n = *value.get<Num>();
-    fail(Code::syntax, node.target,
-         fmt::format("this `#{}` of a {} must end with `;`", node.local ? "local" : "declare",
-                     n.length == 1   ? "float"
-                     : n.length == 5 ? "colour"
-                                     : "vector"),
-         "add a `;` after the value");
-  }
+  if (!semicolon && value.get<Num>() != nullptr) missing_semicolon(node, *value.get<Num>());
 
+  assign(tree, node, std::move(value), scope, existing);
+} catch (const Failure&) {
+  poison(node.name, node.local ? env_.scope() : 0, true);
+  throw;
+}
+
+/// Puts `value` where the directive says; `existing` is the slot that it overwrites, if there is one.
+void Interpreter::assign(const ast::Tree& tree, const ast::Declare& node, Value value,
+                         std::uint32_t scope, Slot* existing) {
+  if (node.place != ast::none) return assign_place(tree, node, std::move(value));
   if (node.subscripts.count > 0) {
     Slot* slot = env_.find(node.name);
     Value* base = Environment::value_of(slot);
     if (base == nullptr) unknown_name(node.name, node.target);
     auto* array = base->get<std::shared_ptr<Array>>();
+    if (additions_ && array == nullptr) return assign_place(tree, node, std::move(value));
     if (array == nullptr) {
       fail(Code::wrong_kind, node.target,
            fmt::format("`{}` is {}, not an array", name_of(node.name), kind_name(*base)));
     }
     // `#local A[i]` on an array of an outer scope is evaluated and lost (language §4.3).
     if (node.local && slot->scope != scope && first_defined(**array) != nullptr) return;
+    if (additions_) return assign_place(tree, node, std::move(value));
     Value* target =
         element(node.name, read_subscripts(tree, node.subscripts), node.target, true, false);
     if (target->get<Shared<UserFunction>>() != nullptr) function_stays(node.name, node.target);
@@ -146,6 +169,7 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
                      name_of(node.name), kind_name(*target), kind_name(value)));
   }
   store(*target, std::move(value), false, nullptr, node.target);
+  slot.declared = node.target;
   slot.deprecated.reset();
   if (node.deprecated) {
     auto note = std::make_shared<Deprecation>();
@@ -167,6 +191,16 @@ void Interpreter::note_use(const Slot* slot, Span span) {
 }
 
 void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast::Undef& node) {
+  if (node.place != ast::none) {
+    if (Value* v = place(tree, node.place, Access::write).value) *v = Value{};
+    return;
+  }
+  if (node.subscripts.count > 0 && additions_) {
+    const Place from{Environment::value_of(env_.find(node.name)), nullptr};
+    if (from.value == nullptr) unknown_name(node.name, d.span);
+    *step_into(from, tree, node.subscripts, d.span, Access::write).value = Value{};
+    return;
+  }
   if (node.subscripts.count > 0) {
     *element(node.name, read_subscripts(tree, node.subscripts), d.span, true, false) = Value{};
     return;
@@ -186,6 +220,11 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
     fail(Code::unexpected_item, node.head,
          fmt::format("`{}` is a word of the language and cannot name a macro", name_of(node.name)));
   }
+  check_new_name(node.name, node.head);
+  if (version() < 310) {
+    fail(Code::version, node.head, "macros need version 3.1",
+         "write `#version 3.7;` above, or what the scene was written for");
+  }
   Slot& slot = env_.for_global(node.name);
   if (slot.value.defined() && slot.value.get<MacroRef>() == nullptr) {
     fail(Code::wrong_kind, node.head,
@@ -198,16 +237,20 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
 
 // ---- arrays -----------------------------------------------------------------------------------
 
+Interpreter::Subscript Interpreter::read_subscript(const ast::Tree& tree, ast::ExprId id) {
+  const Num subscript = evaluate(tree, id, 1);
+  if (subscript.length != 1) {
+    fail(Code::wrong_kind, tree.exprs[id].span,
+         fmt::format("expected a float as subscript, found {}", kind_name(subscript)));
+  }
+  return {subscript.v[0], tree.exprs[id].span};
+}
+
 Interpreter::Subscripts Interpreter::read_subscripts(const ast::Tree& tree, ast::Range list) {
   Subscripts out;
   for (std::uint32_t i = 0; i < list.count; ++i) {
     const ast::ExprId id = tree.expr_lists[list.first + i];
-    const Num subscript = evaluate(tree, id, 1);
-    if (subscript.length != 1) {
-      fail(Code::wrong_kind, tree.exprs[id].span,
-           fmt::format("expected a float as subscript, found {}", kind_name(subscript)));
-    }
-    if (!out.add({subscript.v[0], tree.exprs[id].span})) {
+    if (!out.add(read_subscript(tree, id))) {
       fail(Code::limit, tree.exprs[id].span, "an array access has at most 20 subscripts");
     }
   }
@@ -243,7 +286,7 @@ std::size_t Interpreter::flat_index(const Subscripts& list, const Array& array, 
                        list.size()));
     }
     const Subscript& s = list[used++];
-    const double v = std::trunc(s.value + epsilon);
+    const double v = std::floor(s.value + epsilon);
     if (!(v >= 0 && v < static_cast<double>(size))) {
       fail(Code::out_of_range, s.span,
            fmt::format("subscript {:g} is outside the array, which has {} elements here", v, size),
@@ -266,6 +309,7 @@ Value* Interpreter::element(SymbolId name, const Subscripts& list, Span span, bo
     }
     // Copies share until one of them is written.
     if (for_writing && array->use_count() > 1) *array = std::make_shared<Array>(**array);
+    if (for_writing && (*array)->grows) grow(**array, list[used].value, list[used].span);
     v = &(*array)->elements[flat_index(list, **array, span, used)];
   }
   if (must_exist && !v->defined()) {
@@ -274,76 +318,26 @@ Value* Interpreter::element(SymbolId name, const Subscripts& list, Span span, bo
   return v;
 }
 
-void Interpreter::read_array_level(Array& array, std::size_t level, std::size_t& filled,
-                                   Span span) {
-  expect_open("array");
-  for (std::size_t i = 0; i < array.sizes[level]; ++i) {
-    if (level + 1 < array.sizes.size()) {
-      read_array_level(array, level + 1, filled, span);
-    } else {
-      const Token& t = peek();
-      if (t.kind == Token::Kind::close) {
-        fail(Code::missing_argument, t.span,
-             fmt::format("this array needs {} elements, here are {}", array.sizes[level], i));
-      }
-      const Span at = t.span;
-      store(array.elements[filled], read_value(), true, &array, at);
-      ++filled;
-    }
-    optional_comma();
-  }
-  const Token t = next();
-  if (t.kind != Token::Kind::close) {
-    fail(Code::unexpected_item, t.span,
-         fmt::format("this array takes {} elements, here are more", array.sizes[level]));
-  }
-}
-
-/// After the word `array`: sizes and, maybe, elements.
-std::shared_ptr<Array> Interpreter::read_array(Span span) {
-  auto array = std::make_shared<Array>();
-  std::size_t total = 1;
-  // Elements follow immediately or not at all, so it is safe to look at what is written next.
-  while (raw_next().kind == Token::Kind::bracket_open) {
-    next();
-    const double v = std::trunc(read_num(1).v[0] + epsilon);
-    const Token close = next();
-    if (close.kind != Token::Kind::bracket_close) unexpected(close, "`]` after the size");
-    if (!(v >= 1))
-      fail(Code::out_of_range, span, fmt::format("an array cannot have {:g} elements", v));
-    if (v * static_cast<double>(total) > 1e8) {
-      fail(Code::limit, span, "this array is too large", "arrays hold up to 100 million elements");
-    }
-    array->sizes.push_back(static_cast<std::size_t>(v));
-    total *= static_cast<std::size_t>(v);
-  }
-  if (array->sizes.empty())
-    fail(Code::missing_argument, span, "expected `[` and a size after `array`");
-  if (array->sizes.size() > 5) fail(Code::limit, span, "an array has at most 5 dimensions");
-  array->elements.resize(total);
-  if (raw_next().kind == Token::Kind::open) {
-    std::size_t filled = 0;
-    read_array_level(*array, 0, filled, span);
-  }
-  return array;
-}
-
 // ---- macro calls -------------------------------------------------------------------------------
 
 /// Evaluates one argument, into a slot that waits for the scope of the macro to open.
-void Interpreter::add_argument(const ast::Tree& tree, ast::ExprId arg) {
+void Interpreter::add_argument(const ast::Tree& tree, ast::ExprId arg, bool optional) {
   const ast::Expr& e = tree.exprs[arg];
   // A bare name or array element goes by reference (language §4.6).
   if (const auto* name = std::get_if<ast::Name>(&e.node);
       name != nullptr && !symbols_.reserved(name->name)) {
     Slot* target = env_.find(name->name);
     const Value* v = Environment::value_of(target);
-    if (v == nullptr || !v->defined()) unknown_name(name->name, e.span);
+    if (v == nullptr || !v->defined()) {
+      // A parameter that may be omitted stays undeclared.
+      if (optional && v == nullptr) return arguments_.push_back(nullptr);
+      unknown_name(name->name, e.span);
+    }
     if (target->target != nullptr && target->path.empty()) target = target->target;
     Slot& slot = env_.make();
     slot.target = target;
     arguments_.push_back(&slot);
-  } else if (const auto array_name = array_of(e)) {
+  } else if (const auto array_name = array_of(e); array_name && !in_dictionary(*array_name)) {
     const auto list = read_subscripts(tree, arg);
     element(*array_name, list, e.span, false);  // must exist
     Slot& slot = env_.make();
@@ -370,16 +364,28 @@ void Interpreter::add_argument(const ast::Tree& tree, ast::ExprId arg) {
 }
 
 /// Arguments that have to be read item by item.
-void Interpreter::read_open_arguments(const ast::Tree& tree, ast::Range items) {
+void Interpreter::read_open_arguments(const ast::Tree& tree, ast::Range items,
+                                      const MacroRef& ref) {
   const Nested part(*this, tree, items);
+  const std::size_t first = arguments_.size();
+  const auto optional = [&] {
+    const std::size_t i = arguments_.size() - first;
+    return i < ref.macro->params.count &&
+           ref.tree->params[ref.macro->params.first + i].optional;
+  };
   while (peek().kind != Token::Kind::end) {
     const Token t = peek();
+    if (t.is_punct(',') && optional()) {
+      next();
+      arguments_.push_back(nullptr);
+      continue;
+    }
     const auto* name = t.node<ast::Name>();
     if (name != nullptr ? !symbols_.reserved(name->name)
                         : t.kind == Token::Kind::expr && array_of(t.expression()).has_value()) {
       next();
       if (!at_operator()) {
-        add_argument(*t.tree, t.expr);
+        add_argument(*t.tree, t.expr, optional());
         optional_comma();
         continue;
       }
@@ -416,6 +422,7 @@ void Interpreter::enter_macro(const ast::Tree& tree, ast::ExprId id, const Macro
   const ast::Expr& e = tree.exprs[id];
   const ast::Macro& macro = *ref.macro;
   tick(e.span);
+  check_stack(e.span);
   if (macro_depth_ >= options_.limits.macro_depth && options_.limits.macro_depth > 0) {
     fail(Code::limit, e.span,
          fmt::format("macro `{}` calls itself too deeply", name_of(macro.name)),
@@ -426,12 +433,18 @@ void Interpreter::enter_macro(const ast::Tree& tree, ast::ExprId id, const Macro
   const std::size_t first = arguments_.size();
   if (const auto* call = std::get_if<ast::Call>(&e.node)) {
     for (std::uint32_t i = 0; i < call->args.count; ++i) {
-      add_argument(tree, tree.expr_lists[call->args.first + i]);
+      const bool optional =
+          i < macro.params.count && ref.tree->params[macro.params.first + i].optional;
+      add_argument(tree, tree.expr_lists[call->args.first + i], optional);
     }
   } else {
-    read_open_arguments(tree, std::get<ast::OpenGroup>(e.node).items);
+    read_open_arguments(tree, std::get<ast::OpenGroup>(e.node).items, ref);
   }
-  const std::size_t given = arguments_.size() - first;
+  std::size_t given = arguments_.size() - first;
+  for (; given < macro.params.count && ref.tree->params[macro.params.first + given].optional;
+       ++given) {
+    arguments_.push_back(nullptr);
+  }
   if (given != macro.params.count) {
     Diagnostic d;
     d.code = Code::missing_argument;
@@ -453,9 +466,11 @@ void Interpreter::enter_macro(const ast::Tree& tree, ast::ExprId id, const Macro
   ++macro_depth_;
   env_.open_scope();
   for (std::uint32_t i = 0; i < macro.params.count; ++i) {
+    if (arguments_[first + i] == nullptr) continue;
     env_.link(*arguments_[first + i], ref.tree->params[macro.params.first + i].name);
   }
   arguments_.resize(first);
+  if (options_.on_trace) trace_call(f, *ref.tree, macro);
 }
 
 }  // namespace durer::interpreter

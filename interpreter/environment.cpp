@@ -93,6 +93,7 @@ void Environment::close_scope() {
     }
     s->value.clear();
     s->target = nullptr;
+    s->declared = {};
     if (!s->path.empty()) s->path.clear();
     if (s->deprecated) s->deprecated.reset();
     free_.push_back(s);

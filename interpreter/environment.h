@@ -28,6 +28,7 @@ struct Slot {
   Slot* below = nullptr;  // the slot of the same name that this one hides
   SymbolId name = 0;
   std::uint32_t scope = 0;
+  Span declared;  // where it was last declared, as far as known
   /// By-reference parameters: the caller's slot; with `path`, an element of the array in it, as a
   /// flat index per level of nesting (language §4.6).
   Slot* target = nullptr;

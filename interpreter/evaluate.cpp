@@ -31,10 +31,10 @@ double apply(ast::Op op, double a, double b) {
     case ast::Op::mul: return a * b;
     case ast::Op::div: return b == 0 ? std::numeric_limits<double>::infinity() : a / b;
     case ast::Op::lt: return truth(a < b);
-    case ast::Op::le: return truth(a < b || !(std::abs(a - b) > epsilon));
-    case ast::Op::eq: return truth(!(std::abs(a - b) > epsilon));  // true for NaN, as in the oracle
-    case ast::Op::ne: return truth(std::abs(a - b) > epsilon);
-    case ast::Op::ge: return truth(a > b || !(std::abs(a - b) > epsilon));
+    case ast::Op::le: return truth(a < b || nearly_equal(a, b));
+    case ast::Op::eq: return truth(nearly_equal(a, b));
+    case ast::Op::ne: return truth(!nearly_equal(a, b));
+    case ast::Op::ge: return truth(a > b || nearly_equal(a, b));
     case ast::Op::gt: return truth(a > b);
     case ast::Op::and_: return truth(std::abs(a) > epsilon && std::abs(b) > epsilon);
     case ast::Op::or_: return truth(std::abs(a) > epsilon || std::abs(b) > epsilon);
@@ -156,8 +156,14 @@ void Interpreter::unknown_name(SymbolId name, Span span) {
   for (const SymbolId id : env_.visible_names()) names.push_back(name_of(id));
   for (SymbolId id = 0; id < w::count_; ++id) names.push_back(name_of(id));
   const auto near = closest(name_of(name), names);
-  fail(Code::unknown_name, span, fmt::format("`{}` is not declared", name_of(name)),
-       near ? fmt::format("did you mean `{}`?", *near) : std::string());
+  Diagnostic d;
+  d.code = Code::unknown_name;
+  d.span = span;
+  d.message = fmt::format("`{}` is not declared", name_of(name));
+  if (near) d.help.push_back(fmt::format("did you mean `{}`?", *near));
+  report(std::move(d));
+  poison(name, 0, false);  // told once
+  stop_here(false);
 }
 
 int Interpreter::take_value(const Value& value, Span span, int want, double* v) {
@@ -227,6 +233,7 @@ Value* Interpreter::lookup(const ast::Tree& tree, ast::ExprId id, bool must_exis
     note_use(slot, e.span);
     return v;
   }
+  if (additions_) return entry(tree, id, must_exist);
   if (const auto array = array_of(e)) {
     return element(*array, read_subscripts(tree, id), e.span, false, must_exist);
   }
@@ -313,7 +320,8 @@ int Interpreter::work_out_closed(const ast::Tree& tree, const ast::Expr& e, int 
     call,
     index,
     member_,
-    open
+    open,
+    element_
   };
   switch (e.node.index()) {
     case number: return fill(std::get_if<ast::Number>(&e.node)->value, want, v);
@@ -340,11 +348,19 @@ int Interpreter::work_out_closed(const ast::Tree& tree, const ast::Expr& e, int 
     case call: return work_out_call(tree, e, *std::get_if<ast::Call>(&e.node), want, v);
     case index: {
       const auto& i = *std::get_if<ast::Index>(&e.node);
+      if (additions_) {
+        const auto id = static_cast<ast::ExprId>(&e - tree.exprs.data());
+        return take_value(*entry(tree, id, true), e.span, want, v);
+      }
       return take_value(*element(i.name, read_subscripts(tree, i.subscripts), e.span, false),
                         e.span, want, v);
     }
     case member_: {
       const auto& m = *std::get_if<ast::Member>(&e.node);
+      if (additions_) {
+        const auto id = static_cast<ast::ExprId>(&e - tree.exprs.data());
+        if (const Value* value = entry(tree, id, true)) return take_value(*value, e.span, want, v);
+      }
       const int n = work_out_closed(tree, tree.exprs[m.object], 1, v);
       return take_member(v, n, m.member, e.span, want);
     }
@@ -352,6 +368,10 @@ int Interpreter::work_out_closed(const ast::Tree& tree, const ast::Expr& e, int 
       const Num n = evaluate_open(tree, e, *std::get_if<ast::OpenGroup>(&e.node), want);
       std::copy(n.v.begin(), n.v.end(), v);
       return n.length;
+    }
+    case element_: {
+      const auto id = static_cast<ast::ExprId>(&e - tree.exprs.data());
+      return take_value(*entry(tree, id, true), e.span, want, v);
     }
     default: break;
   }

@@ -13,7 +13,10 @@ using Shape = ast::Body::Shape;
 
 void Interpreter::execute(const ast::Tree& tree, const ast::Item& item) {
   const ast::Directive& d = tree.directives[item.ref];
+  const bool outermost = reading_depth_ == no_reader;
+  if (outermost) reading_depth_ = frames_.size();
   if (run_directive(tree, d) == Flow::broken) break_out(d.span);
+  if (outermost) reading_depth_ = no_reader;  // after a Failure recover() needs it
 }
 
 Interpreter::Flow Interpreter::run_directive(const ast::Tree& tree, const ast::Directive& d) {
@@ -32,6 +35,8 @@ Interpreter::Flow Interpreter::run_directive(const ast::Tree& tree, const ast::D
       d.node);
 }
 
+/// Only where `repeats_` > 0: what runs once is read from frames, so that an error in it costs no
+/// more than the statement.
 Interpreter::Flow Interpreter::run_statements(const ast::Tree& tree, ast::Range items) {
   for (std::uint32_t i = 0; i < items.count; ++i) {
     const ast::Directive& d = tree.directives[tree.items[items.first + i].ref];
@@ -77,6 +82,10 @@ bool Interpreter::is_defined(const ast::Tree& tree, ast::ExprId id) {
   if (const auto* name = std::get_if<ast::Name>(&e.node)) {
     return !symbols_.reserved(name->name) && env_.find(name->name) != nullptr;
   }
+  if (additions_) {
+    const Value* v = place(tree, id, Access::probe).value;
+    return v != nullptr && v->defined();
+  }
   if (const auto array = array_of(e)) {
     return element(*array, read_subscripts(tree, id), e.span, false, false)->defined();
   }
@@ -96,7 +105,7 @@ Interpreter::Flow Interpreter::run(const ast::Tree& tree, const ast::Directive& 
       case ast::Branch::Kind::else_: taken = true; break;
     }
     if (!taken) continue;
-    if (b.items.shape == Shape::statements) return run_statements(tree, b.items);
+    if (repeats_ > 0 && b.items.shape == Shape::statements) return run_statements(tree, b.items);
     Frame f = items_frame(Frame::Kind::branch, tree, b.items, frames_.back().flatten);
     f.call = b.span;
     push(f);
@@ -128,7 +137,7 @@ Interpreter::Flow Interpreter::run(const ast::Tree& tree, const ast::Directive& 
       matches = low <= value && value <= high;
     }
     if (!matches) continue;
-    if (all_statements(tree, node)) {
+    if (repeats_ > 0 && all_statements(tree, node)) {
       // Cases fall through, even into #else, until #break (language §4.4).
       for (std::uint32_t k = i; k < node.cases.count; ++k) {
         if (run_statements(tree, tree.cases[node.cases.first + k].items) == Flow::broken) break;
@@ -251,14 +260,16 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
 
 void Interpreter::set_version(double v, Span span) {
   const int hundredths = static_cast<int>(std::lround(v * 100));
-  if (hundredths > 370) {
+  if (hundredths > 380) {
     fail(Code::version, span, fmt::format("language version {:g} is not supported yet", v),
-         "this program speaks versions up to 3.7: write `#version 3.7;`");
+         "this program speaks versions up to 3.8: write `#version 3.8;`");
   }
-  if (hundredths < 100) {
+  if (hundredths < 0) {
     fail(Code::version, span, fmt::format("there is no language version {:g}", v));
   }
+  if (hundredths >= 380) declare_additions();
   declared_version_ = hundredths;
+  version_source_ = {};
   version_given_ = true;
 }
 

@@ -43,9 +43,10 @@ void Interpreter::open_file(Span span) {
   std::shared_ptr<DataFile> file;
   if (mode.is(w::read)) {
     const auto found = find_file(path, span);
-    if (!found) fail(Code::file_not_found, span, fmt::format("cannot find the file `{}`", path));
+    if (!found) missing_file(path, span);
     file = std::make_shared<DataFile>(*found, DataFile::Mode::read);
   } else if (mode.is(w::write) || mode.is(w::append)) {
+    check_writable(path, span);
     file = std::make_shared<DataFile>(
         path, mode.is(w::write) ? DataFile::Mode::write : DataFile::Mode::append);
   } else {

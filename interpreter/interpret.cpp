@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include <fmt/format.h>
 
 #include "grammar/parse.h"
 #include "interpreter/camera.h"
+#include "interpreter/deep_stack.h"
 #include "interpreter/interpreter.h"
 
 namespace durer::interpreter {
@@ -31,6 +31,7 @@ Interpreter::Interpreter(SourceMap& sources, const scene::Registry& registry,
   plain.layers.emplace_back();
   default_texture_ = add_texture(std::move(plain));
   if (options.version > 0) {
+    version_source_ = " (option)";
     declared_version_ = options.version;
     version_given_ = true;
   }
@@ -49,24 +50,6 @@ void Interpreter::add_trace(Diagnostic& d) const {
     }
     if (d.trace.size() == 8) return;  // enough to find the way; recursion would fill pages
   }
-}
-
-/// What the grammar had to say about the text at `loc`, if it could not read it (ast::Flaw).
-const ast::Flaw* Interpreter::flaw_at(Loc loc) const {
-  if (loc == 0) return nullptr;
-  const FileId file = sources_.file_of(loc);
-  if (file >= tree_of_.size() || tree_of_[file] == nullptr) return nullptr;
-  const auto& flaws = tree_of_[file]->flaws;
-  const auto it = std::ranges::lower_bound(flaws, loc, {}, &ast::Flaw::place);
-  return it != flaws.end() && it->place == loc ? &*it : nullptr;
-}
-
-void Interpreter::fail(Diagnostic d) {
-  // Text that the grammar could not read is reported as such, now that it is executed.
-  if (const ast::Flaw* flaw = flaw_at(d.span.begin)) d = flaw->why;
-  add_trace(d);
-  diagnostics_.report(std::move(d));
-  throw Failure{};
 }
 
 void Interpreter::fail(Code code, Span span, std::string message, std::string help,
@@ -133,11 +116,19 @@ void Interpreter::add_root(scene::ObjectId id) { scene_.roots.push_back({id, def
 
 void Interpreter::top_level() {
   for (;;) {
+    reading_depth_ = no_reader;
     const Token t = next();
     if (t.kind == Token::Kind::end) return;
     if (t.is_punct(';')) continue;
+    reading_depth_ = frames_.size();
+    // What an unread statement had opened is closed here.
+    if (failed_ && (t.kind == Token::Kind::close || t.is_punct(')'))) continue;
     if (starts_object(t)) {
       add_root(read_object(t));
+      continue;
+    }
+    if (const auto* name = t.node<ast::Name>(); name != nullptr && name->name == w::version) {
+      obsolete_directive(t, "version");
       continue;
     }
     if (t.kind == Token::Kind::expr) {
@@ -161,6 +152,8 @@ void Interpreter::top_level() {
         warn(Code::deprecated, t.span, "`default` without `#`", "write `#default`");
         default_block();
         break;
+      case w::declare: obsolete_directive(t, "declare"); break;
+      case w::include: obsolete_directive(t, "include"); break;
       case w::max_trace_level: read_max_trace_level(t); break;
       case w::max_intersections: read_float(); break;
       case w::sky_sphere:
@@ -176,34 +169,14 @@ void Interpreter::top_level() {
   }
 }
 
-std::optional<scene::Scene> Interpreter::run(FileId main_file) try {
+std::optional<scene::Scene> Interpreter::run(FileId main_file) {
+  main_file_ = main_file;
   auto tree = grammar::parse(sources_, main_file, symbols_, diagnostics_);
   if (!tree) return std::nullopt;
-  utf8_ = tree->utf8;
+  if (tree->utf8) charset_ = Charset::utf8;
   remember(*tree);
 
-  // Declared on the command line first: those win over the predefined names (language §9.2).
-  const auto global = [&](std::string_view name, Value value) {
-    const SymbolId id = symbols_.intern(name);
-    if (env_.find(id) == nullptr) env_.for_global(id).value = std::move(value);
-  };
-  for (const auto& [name, value] : options_.declares) {
-    if (const double* x = std::get_if<double>(&value)) {
-      global(name, Value(Num(*x)));
-    } else {
-      global(name, Value(std::make_shared<const Text>(Text(std::get<std::string>(value)))));
-    }
-  }
-  global("image_width", Value(Num(options_.width)));
-  global("image_height", Value(Num(options_.height)));
-  const std::string name =
-      std::filesystem::path(std::string(sources_.path(main_file))).filename().string();
-  global("input_file_name", Value(std::make_shared<const Text>(Text(name))));
-  for (const char* zero : {"frame_number", "initial_frame", "final_frame", "initial_clock",
-                           "final_clock", "clock_delta"}) {
-    global(zero, Value(Num(0.0)));
-  }
-
+  predefine();
   Frame f;
   f.kind = Frame::Kind::file;
   f.tree = tree.get();
@@ -212,12 +185,35 @@ std::optional<scene::Scene> Interpreter::run(FileId main_file) try {
   f.end = tree->top.first + tree->top.count;
   main_trees_.push_back(std::move(tree));
   frames_.push_back(f);
-  top_level();
+  const std::string_view path = sources_.path(main_file);
+  if (options_.version == 0 && path.ends_with(".scene")) {
+    native_ = true;
+    set_version(3.8, {});
+    version_source_ = " (.scene)";
+  } else if (options_.version >= 380) {
+    declare_additions();
+  }
+  bool header_waits = !options_.header_file.empty();
+  for (;;) {
+    try {
+      if (std::exchange(header_waits, false)) include(options_.header_file, {});
+      top_level();
+      if (failed_) return std::nullopt;
+      finish();
+      return std::move(scene_);
+    } catch (const Failure& failure) {
+      if (!recover(failure)) return std::nullopt;
+    }
+  }
+}
 
+/// What only the end of the scene decides.
+void Interpreter::finish() {
   scene_.camera = finish_camera(camera_           ? *camera_
                                 : default_camera_ ? *default_camera_
                                                   : CameraSpec{});
   finish_settings();
+  if (options_.on_assumptions) options_.on_assumptions(assumptions());
   if (scene_.roots.empty()) {
     Diagnostic d;
     d.severity = Severity::warning;
@@ -225,16 +221,17 @@ std::optional<scene::Scene> Interpreter::run(FileId main_file) try {
     d.message = "the scene has no objects";
     diagnostics_.report(std::move(d));
   }
-  return std::move(scene_);
-} catch (const Failure&) {
-  return std::nullopt;
 }
 
 std::optional<scene::Scene> interpret(SourceMap& sources, FileId main_file,
                                       const scene::Registry& registry, const Options& options,
                                       Diagnostics& diagnostics) {
-  Interpreter interpreter(sources, registry, options, diagnostics);
-  return interpreter.run(main_file);
+  std::optional<scene::Scene> scene;
+  on_deep_stack([&] {
+    Interpreter interpreter(sources, registry, options, diagnostics);
+    scene = interpreter.run(main_file);
+  });
+  return scene;
 }
 
 }  // namespace durer::interpreter

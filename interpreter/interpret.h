@@ -67,6 +67,9 @@ struct Options {
   scene::PigmentQueries* pigments = nullptr;
   /// Receives #debug, #render and #statistics text as it is produced (no newline added).
   std::function<void(std::string_view)> on_debug;
+  /// Receives, once the scene is read, one line that says what was taken for granted: "language
+  /// 3.62 (no #version); assumed_gamma 1 (.scene)".
+  std::function<void(std::string_view)> on_assumptions;
   /// Receives a line for every macro call and return (--trace-macros).
   std::function<void(std::string_view)> on_trace;
 };

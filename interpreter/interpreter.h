@@ -4,6 +4,7 @@
 
 #include <array>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
@@ -30,8 +31,11 @@ class MeshBuilder;
 /// "1 argument", "3 arguments"; for messages.
 [[nodiscard]] std::string argument_count(std::size_t n);
 
-/// Unwinds the interpreter after an error has been reported; never leaves `interpret`.
-struct Failure {};
+/// Unwinds the interpreter after an error has been reported; never leaves `interpret`. `final`: the
+/// rest of the scene is not even looked at.
+struct Failure {
+  bool final = false;
+};
 
 class Interpreter {
  public:
@@ -129,13 +133,15 @@ class Interpreter {
     if (++turns_ >= next_check_) check_limits(span);
   }
   void check_limits(Span span);
+  void check_stack(Span span);
+  void check_depth(const scene::Object& object, std::uint32_t depth);
   bool condition(const ast::Tree& tree, ast::ExprId id);
   bool is_defined(const ast::Tree& tree, ast::ExprId id);
   void call_macro(const ast::Tree& tree, ast::ExprId call, bool flatten);
   void enter_macro(const ast::Tree& tree, ast::ExprId call, const MacroRef& ref, ast::Range items,
                    bool flatten);
-  void add_argument(const ast::Tree& tree, ast::ExprId arg);
-  void read_open_arguments(const ast::Tree& tree, ast::Range items);
+  void add_argument(const ast::Tree& tree, ast::ExprId arg, bool optional = false);
+  void read_open_arguments(const ast::Tree& tree, ast::Range items, const MacroRef& ref);
   [[nodiscard]] const MacroRef* value_macro(const ast::Tree& tree, ast::ExprId id,
                                             bool alone) const;
   template <typename Read>
@@ -162,6 +168,7 @@ class Interpreter {
     std::array<Subscript, capacity> items_;  // NOLINT: filled up to count_
     std::size_t count_ = 0;
   };
+  Subscript read_subscript(const ast::Tree& tree, ast::ExprId id);
   Subscripts read_subscripts(const ast::Tree& tree, ast::Range list);
   /// The same of an Index or OpenGroup(index).
   Subscripts read_subscripts(const ast::Tree& tree, ast::ExprId id);
@@ -178,11 +185,39 @@ class Interpreter {
     }
     return std::nullopt;
   }
+  void missing_semicolon(const ast::Declare& node, const Num& n);
   bool assign_number(const ast::Tree& tree, const ast::Declare& node);
   static void store_number(Value& target, Num n);
   void store(Value& target, Value value, bool is_element, const Array* array, Span span);
   void default_block();
   void set_version(double v, Span span);
+
+  // ---- places.cpp, additions.cpp: dictionaries and what else is new in 3.8
+  enum class Access : std::uint8_t { read, probe, write };
+  /// Where a value is kept; `array` if it is an element of one.
+  struct Place {
+    Value* value = nullptr;
+    Array* array = nullptr;
+  };
+  Place place(const ast::Tree& tree, ast::ExprId id, Access access);
+  Place scope_entry(SymbolId scope, SymbolId name, Span span, Access access);
+  Place step_into(Place from, const ast::Tree& tree, ast::Range subscripts, Span span,
+                  Access access);
+  Place dictionary_entry(Value& dictionary, const Text& key, Span span, Access access);
+  [[noreturn]] void no_entry(const Dictionary& dictionary, const Text& key, Span span);
+  Value* entry(const ast::Tree& tree, ast::ExprId id, bool must_exist);
+  [[nodiscard]] bool is_scope(SymbolId name) const;
+  [[nodiscard]] bool in_dictionary(SymbolId name) const;
+  [[nodiscard]] bool starts_dictionary(const Token& token) const;
+  Value read_dictionary();
+  void assign(const ast::Tree& tree, const ast::Declare& node, Value value, std::uint32_t scope,
+              Slot* existing);
+  void assign_place(const ast::Tree& tree, const ast::Declare& node, Value value);
+  void assign_target(const ast::Tree& tree, const ast::Tuple& node, ast::ExprId target,
+                     Value value);
+  void run(const ast::Tree& tree, const ast::Directive& d, const ast::Tuple& node);
+  void declare_additions();
+  void check_new_name(SymbolId name, Span span);
 
   // ---- files.cpp: data files
   SymbolId read_name(std::string_view what);
@@ -194,10 +229,20 @@ class Interpreter {
   template <typename Body>
   void in_parentheses(std::string_view what, Body body);
 
+  // ---- file_access.cpp: which files, and where they are
+  [[nodiscard]] std::vector<std::filesystem::path> search_folders(Span span) const;
+  [[nodiscard]] bool may_read(const std::filesystem::path& path) const;
+  [[nodiscard]] bool may_write(const std::filesystem::path& path) const;
+  /// Every file that a scene reads is found here; `suffixes` (".inc") may be left out in scenes.
+  [[nodiscard]] std::optional<std::string> find_file(
+      const std::string& name, Span span, std::span<const std::string_view> suffixes = {},
+      bool tolerant = true);
+  [[noreturn]] void missing_file(const std::string& name, Span span,
+                                 std::span<const std::string_view> suffixes = {});
+  void check_writable(const std::string& path, Span span);
+
   // ---- include.cpp: files
   const ast::Tree& load(const std::string& name, Span span);
-  [[nodiscard]] std::optional<std::string> find_file(const std::string& name, Span span,
-                                                     bool tolerant = true);
   void include(const std::string& name, Span span);
 
   // ---- evaluate.cpp: closed expressions
@@ -299,7 +344,10 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   vec3 read_rgb();     // where only rgb is wanted
   Value read_value();  // the right side of a declare, an argument, an element
   std::shared_ptr<Array> read_array(Span span);
-  void read_array_level(Array& array, std::size_t level, std::size_t& filled, Span span);
+  void read_array_level(Array& array, std::size_t level, std::size_t first, bool lenient,
+                        Span span);
+  void add_size(Array& array, double written, std::size_t& total, Span span);
+  void grow(Array& array, double subscript, Span span);
   void optional_comma();
   void accept_raw_comma_or_peek();
   [[nodiscard]] std::string describe(const Token& token) const;
@@ -316,8 +364,17 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   void skip_block();
   Value skip_unsupported(std::string_view feature, Span span);
 
+  // ---- predefined.cpp, macro_trace.cpp
+  void predefine();
+  void trace_call(const Frame& frame, const ast::Tree& tree, const ast::Macro& macro);
+  void trace_return(const Frame& frame);
+
   // ---- blocks: scene things
   void top_level();
+  // ---- versions.cpp: what old versions did otherwise
+  void obsolete_directive(const Token& word, std::string_view name);
+  [[nodiscard]] std::string assumptions() const;
+  void decode_high_bytes(std::string_view bytes, std::size_t& at, Span span, Text& out);
   std::optional<Transform> read_transformation(const Token& token);
   Transform read_transform_block();
   Transform read_matrix(const Token& word);
@@ -419,6 +476,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   void read_max_trace_level(const Token& word);
   void read_assumed_gamma(const Token& word);
   void finish_settings();
+  void finish();
 
   // ---- messages
   [[noreturn]] void fail(Code code, Span span, std::string message, std::string help = {},
@@ -426,7 +484,23 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   [[noreturn]] void fail(Diagnostic d);
   void warn(Code code, Span span, std::string message, std::string help = {});
   void add_trace(Diagnostic& d) const;
+
+  // ---- recovery.cpp: several errors in one run
+  static constexpr std::size_t no_reader = SIZE_MAX;
   [[nodiscard]] const ast::Flaw* flaw_at(Loc loc) const;
+  [[nodiscard]] bool follows_from_earlier(const Diagnostic& d) const;
+  void label_declaration(Diagnostic& d) const;
+  void report(Diagnostic d);
+  [[noreturn]] void stop_here(bool final);
+  void poison(SymbolId name, std::uint32_t scope, bool overwrite);
+  void poison_declared(const ast::Tree& tree, ast::Range items, bool locals, std::uint32_t scope);
+  void poison_declared(const ast::Tree& tree, const ast::Directive& directive, bool locals,
+                       std::uint32_t scope);
+  void poison_what_is_skipped();
+  [[nodiscard]] std::size_t resume_frame() const;
+  bool recover(const Failure& failure);
+  void skip_to_statement();
+
   void remember(const ast::Tree& tree);
   [[noreturn]] void not_supported(std::string_view feature, Span span);
   scene::OriginId origin(Span span);
@@ -435,6 +509,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   [[nodiscard]] int version() const { return declared_version_; }
 
   SourceMap& sources_;
+  FileId main_file_ = 0;
   const scene::Registry& registry_;
   const Options& options_;
   Diagnostics& diagnostics_;
@@ -462,6 +537,10 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   std::vector<std::vector<std::uint32_t>> codes_of_;  // by file, expression: 1 + index into codes_
   std::vector<ScalarCode> codes_;
   std::unordered_set<std::uint64_t> warned_;
+  std::unordered_set<Loc> reported_;  // places of errors
+  bool failed_ = false;               // an error has been reported: there will be no scene
+  bool names_are_missing_ = false;    // a whole file could not be read
+  std::size_t reading_depth_ = no_reader;  // frames when the statement being read began
 
   // Reserved word → index into the registry.
   std::unordered_map<SymbolId, std::uint32_t> primitive_words_;
@@ -472,6 +551,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   std::vector<std::uint32_t> streams_;  // states of rand()
   functions::Workspace workspace_;      // of calls of functions
   scene::Scene scene_;
+  std::vector<std::uint16_t> object_depths_;  // by object: 1 + that of its deepest child
   scene::TextureId default_texture_ = scene::none;
   bool reading_default_ = false;  // a normal may have settings and no pattern yet
   scene::TextureId own_texture_ = scene::none;  // made by the object statement being read
@@ -479,8 +559,13 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   std::shared_ptr<const CameraSpec> camera_;
   int declared_version_ = 370;
   bool version_given_ = false;
+  std::string_view version_source_ = " (no #version)";
+  bool native_ = false;     // a `.scene`: 3.8 and linear colours unless it says otherwise
+  bool additions_ = false;  // 3.8 is or was in force: there may be dictionaries
   bool assumed_gamma_given_ = false;
-  bool utf8_ = false;
+  /// What bytes above 127 in string literals mean (language §1.4).
+  enum class Charset : std::uint8_t { ascii, utf8, system };
+  Charset charset_ = Charset::ascii;
   Span last_span_;
 };
 

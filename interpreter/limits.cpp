@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "interpreter/deep_stack.h"
 #include "interpreter/interpreter.h"
 
 namespace durer::interpreter {
@@ -24,6 +25,20 @@ std::size_t memory_held() {
 }
 
 }  // namespace
+
+/// Where reading recurses: too deep is an error, not the end of the program.
+void Interpreter::check_stack(Span span) {
+  if (!stack_is_low()) return;
+  fail(Code::limit, span, "this is nested too deeply", "is a macro calling itself without end?");
+}
+
+/// Objects in objects, by way of declared names too: whoever walks them recurses.
+void Interpreter::check_depth(const scene::Object& object, std::uint32_t depth) {
+  constexpr std::uint32_t most = 5000;
+  if (depth <= most) return;
+  fail(Code::limit, scene_.origins[object.origin].span,
+       fmt::format("objects are nested more than {} deep", most));
+}
 
 /// Looks at the clock and the memory once in a while, at the turns always when they are limited.
 void Interpreter::check_limits(Span span) {

@@ -55,6 +55,11 @@ bool is_known_object(SymbolId word) {
   }
 }
 
+/// "the centre" for "centre" and for "the centre".
+std::string with_article(std::string_view doc) {
+  return doc.starts_with("the ") ? std::string(doc) : fmt::format("the {}", doc);
+}
+
 }  // namespace
 
 bool Interpreter::starts_object(const Token& t) const {
@@ -64,12 +69,19 @@ bool Interpreter::starts_object(const Token& t) const {
 }
 
 scene::ObjectId Interpreter::add_object(scene::Object object) {
+  std::uint32_t depth = 1;
+  for (const scene::ObjectId child : object.children) {
+    depth = std::max<std::uint32_t>(depth, object_depths_[child] + 1U);
+  }
+  check_depth(object, depth);
+  object_depths_.push_back(static_cast<std::uint16_t>(depth));
   scene_.objects.push_back(std::move(object));
   return static_cast<scene::ObjectId>(scene_.objects.size() - 1);
 }
 
 /// After the object's word: reads the whole statement.
 scene::ObjectId Interpreter::read_object(const Token& word) {
+  check_stack(word.span);
   if (word.word == w::light_source) return read_light(word);
   const Token open = next();
   if (open.kind != Token::Kind::open) {
@@ -78,7 +90,7 @@ scene::ObjectId Interpreter::read_object(const Token& word) {
 
   // `sphere { Thing … }` copies Thing, whatever it is (objects §8.1).
   const Token first = peek();
-  if (first.node<ast::Name>() != nullptr || first.node<ast::Index>() != nullptr) {
+  if (first.is_place()) {
     const Value* v = lookup(*first.tree, first.expr, false);
     const auto* ref = v == nullptr ? nullptr : v->get<ObjectRef>();
     if (ref != nullptr && !(is_csg(word.word))) {
@@ -187,7 +199,8 @@ std::vector<double> Interpreter::read_operands(const scene::TypeInfo& info, cons
       d.code = Code::missing_argument;
       d.span = t.span;
       d.message =
-          fmt::format("expected the {} of this `{}`, found {}", p.doc, info.name, describe(t));
+          fmt::format("expected {} of this `{}`, found {}", with_article(p.doc), info.name,
+                      describe(t));
       d.labels.push_back({word.span, "in this block"});
       fail(std::move(d));
     }
@@ -324,7 +337,7 @@ scene::Object Interpreter::read_csg(scene::NodeKind kind, const Token& word) {
     if (starts_object(t)) {
       next();
       o.children.push_back(read_object(t));
-    } else if (t.node<ast::Name>() != nullptr || t.node<ast::Index>() != nullptr) {
+    } else if (t.is_place()) {
       const Value* v = lookup(*t.tree, t.expr, true);
       const auto* ref = v == nullptr ? nullptr : v->get<ObjectRef>();
       if (ref == nullptr) unexpected(t, "an object or a modifier");

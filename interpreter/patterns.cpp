@@ -78,11 +78,11 @@ void Interpreter::skip_to(Token::Kind last) {
 namespace {
 
 /// Where the operand `name` lies in the arguments of a type, and what it is like.
-struct Place {
+struct ParamPlace {
   const scene::Param* param = nullptr;
   std::size_t offset = 0;
 };
-Place find_operand(const scene::TypeInfo& info, std::string_view name) {
+ParamPlace find_operand(const scene::TypeInfo& info, std::string_view name) {
   std::size_t offset = 0;
   for (const scene::Param& p : info.params) {
     if (p.name == name) return {&p, offset};
@@ -147,7 +147,7 @@ bool Interpreter::pattern_modifier(scene::Pattern& p, const Token& t) {
     return true;
   }
   if (p.exists()) {
-    const Place place = find_operand(*registry_.patterns[p.type], name_of(t.word));
+    const ParamPlace place = find_operand(*registry_.patterns[p.type], name_of(t.word));
     if (place.param != nullptr && !place.param->positional) {
       read_operand(*place.param, &p.args[place.offset]);
       return true;
@@ -247,7 +247,7 @@ void Interpreter::read_turbulence(scene::Pattern& p, const Token& word) {
     p.warps.insert(p.warps.begin(), std::move(warp));
   }
   const bool amount = word.word == w::turbulence;
-  const Place place = find_operand(info, amount ? info.params.front().name : name_of(word.word));
+  const ParamPlace place = find_operand(info, amount ? info.params.front().name : name_of(word.word));
   read_operand(*place.param, &p.warps.front().args[place.offset]);
 }
 

@@ -198,7 +198,8 @@ bool ends_expression(const Frame& f, std::uint32_t pos, bool full) {
     case ast::ItemKind::brackets: return true;
     case ast::ItemKind::directive:
     case ast::ItemKind::literals: return false;
-    case ast::ItemKind::expr: return leading_sign(*f.tree, item.ref) == nullptr;
+    case ast::ItemKind::expr:  // the body of a macro may begin with an operator
+      return leading_sign(*f.tree, item.ref) == nullptr && !f.tree->exprs[item.ref].may_expand;
     case ast::ItemKind::punct:
       return !is_operator(item.detail) && item.detail != '.' &&
              !(full && (is_full_operator(item.detail) || item.detail == ':'));
@@ -579,7 +580,7 @@ Num Interpreter::read_colour_num(bool strict) {
   }
   if (wanted > 0) {
     next();
-    if (is_srgb && !assumed_gamma_given_) {
+    if (is_srgb && !assumed_gamma_given_ && !native_) {
       fail(Code::evaluation, t.span,
            fmt::format("`{}` needs `assumed_gamma` to be set before it", name_of(t.word)),
            "write `global_settings { assumed_gamma 1 }` at the top of the scene");
@@ -638,10 +639,12 @@ vec3 Interpreter::read_rgb() {
 // ------------------------------------------------------------------------------
 
 Value Interpreter::read_value() {
+  check_stack(last_span_);
   const Token t = peek();
   if (t.kind == Token::Kind::expr) {
+    if (starts_dictionary(t)) return read_dictionary();
     if (t.node<ast::Name>() != nullptr || t.node<ast::Index>() != nullptr ||
-        t.node<ast::Call>() != nullptr) {
+        t.node<ast::Call>() != nullptr || additions_) {
       const Value* v = lookup(*t.tree, t.expr, false);
       if (v != nullptr && v->defined() && v->get<Num>() == nullptr) {
         next();

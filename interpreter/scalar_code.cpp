@@ -196,7 +196,7 @@ bool element_of(const Environment& env, SymbolId name, const double* subscripts,
   std::size_t flat = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t size = (*array)->sizes[i];
-    const double at = std::trunc(subscripts[i] + epsilon);
+    const double at = std::floor(subscripts[i] + epsilon);
     if (!(at >= 0 && at < static_cast<double>(size))) return false;
     flat = flat * size + static_cast<std::size_t>(at);
   }
@@ -275,16 +275,10 @@ bool execute(const ScalarCode& code, const Environment& env, std::vector<std::ui
         break;
       case Kind::lt: --top; *top = truth(*top < top[1]); break;
       case Kind::gt: --top; *top = truth(*top > top[1]); break;
-      case Kind::le:
-        --top;
-        *top = truth(*top < top[1] || !(std::abs(*top - top[1]) > epsilon));
-        break;
-      case Kind::ge:
-        --top;
-        *top = truth(*top > top[1] || !(std::abs(*top - top[1]) > epsilon));
-        break;
-      case Kind::eq: --top; *top = truth(!(std::abs(*top - top[1]) > epsilon)); break;
-      case Kind::ne: --top; *top = truth(std::abs(*top - top[1]) > epsilon); break;
+      case Kind::le: --top; *top = truth(*top < top[1] || nearly_equal(*top, top[1])); break;
+      case Kind::ge: --top; *top = truth(*top > top[1] || nearly_equal(*top, top[1])); break;
+      case Kind::eq: --top; *top = truth(nearly_equal(*top, top[1])); break;
+      case Kind::ne: --top; *top = truth(!nearly_equal(*top, top[1])); break;
       case Kind::and_:
         --top;
         *top = truth(std::abs(*top) > epsilon && std::abs(top[1]) > epsilon);

@@ -367,9 +367,11 @@ void Interpreter::read_global_settings(Span span) {
         break;
       case w::charset:
         if (accept(w::utf8)) {
-          utf8_ = true;
-        } else if (accept(w::ascii) || accept(w::sys)) {
-          utf8_ = false;
+          charset_ = Charset::utf8;
+        } else if (accept(w::ascii)) {
+          charset_ = Charset::ascii;
+        } else if (accept(w::sys)) {
+          charset_ = Charset::system;
         } else {
           unexpected(peek(), "`ascii`, `utf8` or `sys`");
         }

@@ -26,7 +26,7 @@ std::shared_ptr<const Spline> Interpreter::read_spline(Span span) {
   std::vector<Spline::Entry> entries;
   int dimension = 2;
   SplineKind kind = SplineKind::linear;
-  if (const Token t = peek(); t.node<ast::Name>() != nullptr || t.node<ast::Index>() != nullptr) {
+  if (const Token t = peek(); t.is_place()) {
     const Value* v = lookup(*t.tree, t.expr, false);
     if (const auto* copied = v == nullptr ? nullptr : v->get<Shared<Spline>>()) {
       entries = (*copied)->entries();

@@ -126,7 +126,10 @@ void Interpreter::pop() {
   if (repeats(f.kind)) --repeats_;
   if (f.kind == Frame::Kind::expansion) pieces_.resize(f.pieces);
   if (f.kind == Frame::Kind::macro || f.kind == Frame::Kind::file) {
-    if (f.kind == Frame::Kind::macro) --macro_depth_;
+    if (f.kind == Frame::Kind::macro) {
+      if (options_.on_trace) trace_return(f);
+      --macro_depth_;
+    }
     if (env_.scope() > 0) env_.close_scope();
   }
   frames_.pop_back();
@@ -408,6 +411,7 @@ void Interpreter::Nested::open(const ast::Tree& tree) {
   unread_base_ = in_.unread_base_;
   in_.unread_base_ = in_.unread_.size();
   declare_depth_ = std::exchange(in_.declare_depth_, 0);
+  in_.check_stack(in_.frames_.empty() ? Span{} : in_.frames_.back().call);
   if (++in_.nesting_ > max_nesting) {
     in_.fail(Code::limit, in_.frames_.back().call, "expressions are nested too deeply",
              "is a macro calling itself without end?");

@@ -33,6 +33,11 @@ struct Token {
   [[nodiscard]] bool is(SymbolId w) const { return kind == Kind::word && word == w; }
   [[nodiscard]] bool is_punct(char c) const { return kind == Kind::punct && punct == c; }
   [[nodiscard]] const ast::Expr& expression() const { return tree->exprs[expr]; }
+  /// True if it may name something declared: a variable, an element, an entry.
+  [[nodiscard]] bool is_place() const {
+    return node<ast::Name>() != nullptr || node<ast::Index>() != nullptr ||
+           node<ast::Member>() != nullptr || node<ast::Element>() != nullptr;
+  }
   template <typename T>
   [[nodiscard]] const T* node() const {
     return kind == Kind::expr ? std::get_if<T>(&expression().node) : nullptr;

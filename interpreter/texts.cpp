@@ -21,6 +21,10 @@ Value Interpreter::evaluate_value(const ast::Tree& tree, ast::ExprId id) {
     return v;
   }
   if (const auto* name = std::get_if<ast::Name>(&e.node); name != nullptr) {
+    if (name->name == grammar::additions::dictionary && additions_ &&
+        env_.find(name->name) == nullptr) {
+      return Value(std::make_shared<Dictionary>());
+    }
     if (!symbols_.reserved(name->name)) {
       const Value* v = lookup(tree, id, true);
       if (!v->defined())
@@ -29,6 +33,8 @@ Value Interpreter::evaluate_value(const ast::Tree& tree, ast::ExprId id) {
     }
   } else if (array_of(e)) {
     return copy_of(*lookup(tree, id, true));
+  } else if (additions_) {
+    if (const Value* v = entry(tree, id, true)) return copy_of(*v);
   }
   if (e.may_expand) {
     if (const MacroRef* macro = value_macro(tree, id, true)) {
@@ -58,6 +64,9 @@ bool Interpreter::is_text(const ast::Tree& tree, ast::ExprId id) {
   if (std::holds_alternative<ast::Name>(e.node) || array_of(e)) {
     const Value* v = lookup(tree, id, false);
     return v != nullptr && v->get<Shared<Text>>() != nullptr;
+  }
+  if (additions_) {
+    if (const Value* v = entry(tree, id, false)) return v->get<Shared<Text>>() != nullptr;
   }
   return text_function(tree, id) != grammar::SymbolTable::none;
 }
@@ -151,16 +160,7 @@ void Interpreter::decode_literal(std::string_view bytes, Span span, bool file_na
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     const auto c = static_cast<unsigned char>(bytes[i]);
     if (c > 127) {
-      if (!utf8_) {
-        out.append(version() < 350 ? static_cast<char16_t>(c) : u' ');
-        continue;
-      }
-      const int extra = c >= 0xF0 ? 3 : c >= 0xE0 ? 2 : 1;
-      std::uint32_t code = c & (0x3FU >> extra);
-      for (int k = 0; k < extra && i + 1 < bytes.size(); ++k) {
-        code = code << 6 | (static_cast<unsigned char>(bytes[++i]) & 0x3FU);
-      }
-      out.append(code > 0xFFFF ? u'\uFFFD' : static_cast<char16_t>(code));
+      decode_high_bytes(bytes, i, span, out);
       continue;
     }
     if (c != '\\' || file_name || i + 1 >= bytes.size()) {

@@ -1,5 +1,8 @@
 #include "interpreter/value.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace durer::interpreter {
 
 std::string_view kind_name(const Value& value) {
@@ -38,6 +41,8 @@ std::string_view kind_name(const Value& value) {
     std::string_view operator()(const Shared<UserFunction>&) const { return "a function"; }
     std::string_view operator()(const Shared<functions::Spline>&) const { return "a spline"; }
     std::string_view operator()(const Shared<Unsupported>& u) const { return u->feature; }
+    std::string_view operator()(const std::shared_ptr<Dictionary>&) const { return "a dictionary"; }
+    std::string_view operator()(Poison) const { return "nothing"; }
   };
   return std::visit(Visitor{}, value.node);
 }
@@ -47,5 +52,29 @@ bool same_alternative(const Value& a, const Value& b) {
   const auto* x = std::get_if<Shared<Thing>>(&a.node);
   return x == nullptr || (*x)->index() == (*std::get_if<Shared<Thing>>(&b.node))->index();
 }
+
+namespace {
+/// Arrays of arrays are taken apart level by level: a loop may have put millions inside one another,
+/// and destructors would call each other as deep.
+void take_apart(std::vector<Value>& pending) {
+  const auto inner = [](Value& v) -> std::vector<Value>* {
+    auto* array = v.get<std::shared_ptr<Array>>();
+    return array != nullptr && array->use_count() == 1 ? &(*array)->elements : nullptr;
+  };
+  if (std::none_of(pending.begin(), pending.end(), [&](Value& v) { return inner(v) != nullptr; })) {
+    return;
+  }
+  while (!pending.empty()) {
+    Value v = std::move(pending.back());
+    pending.pop_back();
+    if (std::vector<Value>* elements = inner(v)) {
+      std::move(elements->begin(), elements->end(), std::back_inserter(pending));
+      elements->clear();
+    }
+  }
+}
+}  // namespace
+
+Array::~Array() { take_apart(elements); }
 
 }  // namespace durer::interpreter

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -22,6 +24,10 @@ class Spline;
 }
 
 namespace durer::interpreter {
+
+/// `=` of the language: the tolerance is absolute, and NaN equals everything, as in the oracle
+/// (language §2.5).
+[[nodiscard]] inline bool nearly_equal(double a, double b) { return !(std::abs(a - b) > epsilon); }
 
 /// One to five components: float, uv-vector, vector, four-vector, colour (language §2.1).
 ///
@@ -56,9 +62,18 @@ struct Value;
 
 /// One to five dimensions, row-major. The first element assigned fixes the kind of all.
 struct Array {
+  Array() = default;
+  Array(const Array&) = default;
+  Array& operator=(const Array&) = delete;
+  ~Array();
   std::vector<std::size_t> sizes;
   std::vector<Value> elements;
+  bool mixed = false;  // elements of any kinds (since 3.8)
+  bool grows = false;  // assigning beyond the end makes room (since 3.8; one dimension)
 };
+
+/// Values of any kinds by name (since 3.8). Entries without value count as absent.
+struct Dictionary;
 
 /// A macro is its syntax; nothing is copied.
 struct MacroRef {
@@ -106,6 +121,9 @@ struct Unsupported {
   Span span;
 };
 
+/// What a name stands for whose declaration failed: errors about it are consequences of that one.
+struct Poison {};
+
 template <typename T>
 using Shared = std::shared_ptr<const T>;
 
@@ -115,7 +133,7 @@ using Thing =
                  Shared<scene::Normal>, Shared<ColourMap>, Shared<NormalMap>, Shared<SlopeMap>,
                  Shared<TextureMap>, InteriorRef, Shared<Material>, Shared<Transform>,
                  Shared<CameraSpec>, Shared<scene::SkySphere>, std::shared_ptr<DataFile>,
-                 Shared<UserFunction>, Shared<functions::Spline>, Shared<Unsupported>>;
+                 Shared<UserFunction>, Shared<functions::Spline>, Shared<Unsupported>, std::shared_ptr<Dictionary>, Poison>;
 
 /// The few kinds that loops copy and overwrite all the time are alternatives of their own; the
 /// others share one, so that copying a value is a short switch.
@@ -172,6 +190,10 @@ struct Value {
       std::is_same_v<T, std::monostate> || std::is_same_v<T, Num> ||
       std::is_same_v<T, Shared<Text>> || std::is_same_v<T, std::shared_ptr<Array>> ||
       std::is_same_v<T, MacroRef>;
+};
+
+struct Dictionary {
+  std::map<Text, Value> entries;
 };
 
 /// True if both are of one kind, whatever their values; numbers of any length are of one kind.

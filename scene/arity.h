@@ -12,14 +12,15 @@ struct AnyMember {
   template <typename T>
   static constexpr bool is_optional = false;
   template <typename T>
-    requires(!is_optional<T>)
-  operator T() const noexcept;  // NOLINT: meant to convert
+  requires(!is_optional<T>) operator T() const noexcept;  // NOLINT: meant to convert
 };
 template <typename T>
 inline constexpr bool AnyMember::is_optional<std::optional<T>> = true;
 
 template <typename T, typename... Members>
-concept TakesMembers = requires { T{Members{}...}; };
+concept TakesMembers = requires {
+  T{Members{}...};
+};
 
 /// Adds initialisers as long as the aggregate takes them.
 template <typename T, typename... Members>

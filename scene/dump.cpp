@@ -15,7 +15,8 @@ namespace {
 
 // A struct with a new member must get a line in fields.h.
 template <typename Struct>
-inline constexpr bool complete = arity<Struct>() == std::tuple_size_v<decltype(Fields<Struct>::all)>;
+inline constexpr bool complete =
+    arity<Struct>() == std::tuple_size_v<decltype(Fields<Struct>::all)>;
 static_assert(complete<Object>);
 static_assert(complete<ObjectExtras>);
 static_assert(complete<Mesh>);
@@ -44,7 +45,9 @@ static_assert(complete<Affine>);
 static_assert(arity<Scene>() == 10);
 
 template <typename T>
-concept HasWords = requires { Words<T>::all; };
+concept HasWords = requires {
+  Words<T>::all;
+};
 
 /// Equality of everything that can be in a scene; places do not count.
 template <typename T>
@@ -103,18 +106,13 @@ class Lines {
   std::map<FileId, std::vector<std::size_t>> starts_;
 };
 
-template <typename T>
-std::string number_text(T x) {
-  if constexpr (std::is_same_v<T, bool>) {
-    return x ? "true" : "false";
-  } else if constexpr (std::is_integral_v<T>) {
-    return fmt::format("{}", x);
-  } else {
-    // Neither infinity nor "not a number" is JSON.
-    return std::isfinite(x) ? fmt::format("{}", x)
-           : std::isnan(x)  ? "null"
-                            : std::string(x > 0 ? "1e999" : "-1e999");
+/// Shortest text that reads back as the same number.
+template <typename Writer, typename T>
+std::string text_of(T x) {
+  if constexpr (std::is_floating_point_v<T>) {
+    if (!std::isfinite(x)) return Writer::special(fmt::format("{}", x));
   }
+  return fmt::format("{}", x);
 }
 
 template <typename Writer>
@@ -157,19 +155,6 @@ class Dumper {
   void value(std::string_view name, const std::string& x) { out_.word(name, x); }
   void value(std::string_view name, const vec3& v) { triple(name, v); }
   void value(std::string_view name, const dvec3& v) { triple(name, v); }
-  void value(std::string_view name, const glm::vec2& v) {
-    out_.numbers(name, {number_text(v.x), number_text(v.y)});
-  }
-  void value(std::string_view name, const Triple& t) {
-    const auto text = [](std::uint32_t i) { return i == none ? "-1" : number_text(i); };
-    out_.numbers(name, {text(t[0]), text(t[1]), text(t[2])});
-  }
-  void value(std::string_view name, const std::shared_ptr<const Mesh>& mesh) {
-    if (!mesh) return out_.nothing(name);
-    const auto [known, is_new] = mesh_ids_.emplace(mesh.get(), meshes_.size());
-    if (is_new) meshes_.push_back(mesh.get());
-    out_.number(name, number_text(known->second));
-  }
   void value(std::string_view name, const SharedTransform& t) {
     if (t.is_identity()) {
       out_.nothing(name);
@@ -187,6 +172,12 @@ class Dumper {
   void value(std::string_view name, const functions::FunctionRef& x) {
     x ? out_.word(name, functions::dump(*x)) : out_.nothing(name);
   }
+  void value(std::string_view name, const std::shared_ptr<const Mesh>& mesh) {
+    if (!mesh) return out_.nothing(name);
+    const auto [known, is_new] = mesh_ids_.emplace(mesh.get(), meshes_.size());
+    if (is_new) meshes_.push_back(mesh.get());
+    out_.number(name, number_text(known->second));
+  }
   template <typename T>
   void value(std::string_view name, const std::optional<T>& x) {
     x ? value(name, *x) : out_.nothing(name);
@@ -202,6 +193,19 @@ class Dumper {
       for (const T& x : list) value("", x);
       out_.close_list();
     }
+  }
+
+  void value(std::string_view name, const Triple& t) {
+    std::vector<std::string> texts;
+    for (const std::uint32_t x : t) texts.push_back(x == none ? "null" : number_text(x));
+    out_.numbers(name, texts);
+  }
+  void value(std::string_view name, const glm::vec2& v) {
+    out_.numbers(name, {number_text(v.x), number_text(v.y)});
+  }
+  template <typename T>
+  static std::string number_text(T x) {
+    return text_of<Writer>(x);
   }
 
   template <typename Vector>

@@ -34,6 +34,8 @@ class DumpSink {
 class JsonWriter {
  public:
   static constexpr bool writes_defaults = true;
+  /// JSON has no infinity: such numbers are strings.
+  static std::string special(const std::string& number) { return '"' + number + '"'; }
   explicit JsonWriter(DumpSink& sink) : sink_(sink) {}
 
   void number(std::string_view name, std::string_view text) { element(name, text); }
@@ -59,6 +61,7 @@ class JsonWriter {
 class TextWriter {
  public:
   static constexpr bool writes_defaults = false;
+  static std::string special(const std::string& number) { return number; }
   explicit TextWriter(DumpSink& sink) : sink_(sink) {}
 
   void number(std::string_view name, std::string_view text) { line(name, text); }

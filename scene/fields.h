@@ -38,18 +38,19 @@ template <typename T>
 struct Fields;
 
 template <typename T>
-concept HasFields = requires { Fields<T>::all; };
+concept HasFields = requires {
+  Fields<T>::all;
+};
 
 template <>
 struct Fields<ObjectExtras> {
-  static constexpr std::tuple all{
-      field("mesh", &ObjectExtras::mesh),
-      field("interior_texture", &ObjectExtras::interior_texture),
-      field("clips", &ObjectExtras::clips, Role::id),
-      field("bounds", &ObjectExtras::bounds, Role::id),
-      field("clip_transform", &ObjectExtras::clip_transform),
-      field("bound_transform", &ObjectExtras::bound_transform),
-      field("unsupported", &ObjectExtras::unsupported)};
+  static constexpr std::tuple all{field("mesh", &ObjectExtras::mesh),
+                                  field("interior_texture", &ObjectExtras::interior_texture),
+                                  field("clips", &ObjectExtras::clips, Role::id),
+                                  field("bounds", &ObjectExtras::bounds, Role::id),
+                                  field("clip_transform", &ObjectExtras::clip_transform),
+                                  field("bound_transform", &ObjectExtras::bound_transform),
+                                  field("unsupported", &ObjectExtras::unsupported)};
 };
 
 template <>
@@ -99,9 +100,8 @@ struct Fields<TextureUse> {
 
 template <>
 struct Fields<Root> {
-  static constexpr std::tuple all{
-      field("object", &Root::object, Role::id),
-      field("default_texture", &Root::default_texture, Role::id)};
+  static constexpr std::tuple all{field("object", &Root::object, Role::id),
+                                  field("default_texture", &Root::default_texture, Role::id)};
 };
 
 template <>
@@ -132,26 +132,24 @@ struct Fields<Camera> {
 
 template <>
 struct Fields<SkySphere> {
-  static constexpr std::tuple all{field("pigments", &SkySphere::pigments),
-                                  field("emission", &SkySphere::emission),
-                                  field("transform", &SkySphere::transform),
-                                  field("origin", &SkySphere::origin, Role::place)};
+  static constexpr std::tuple all{
+      field("pigments", &SkySphere::pigments), field("emission", &SkySphere::emission),
+      field("transform", &SkySphere::transform), field("origin", &SkySphere::origin, Role::place)};
 };
 
 template <>
 struct Fields<Settings> {
-  static constexpr std::tuple all{
-      field("adc_bailout", &Settings::adc_bailout),
-      field("max_trace_level", &Settings::max_trace_level),
-      field("ambient_light", &Settings::ambient_light),
-      field("irid_wavelength", &Settings::irid_wavelength),
-      field("noise_generator", &Settings::noise_generator),
-      field("number_of_waves", &Settings::number_of_waves),
-      field("mm_per_unit", &Settings::mm_per_unit),
-      field("gamma_mode", &Settings::gamma_mode),
-      field("assumed_gamma", &Settings::assumed_gamma),
-      field("effective_version", &Settings::effective_version),
-      field("declared_version", &Settings::declared_version)};
+  static constexpr std::tuple all{field("adc_bailout", &Settings::adc_bailout),
+                                  field("max_trace_level", &Settings::max_trace_level),
+                                  field("ambient_light", &Settings::ambient_light),
+                                  field("irid_wavelength", &Settings::irid_wavelength),
+                                  field("noise_generator", &Settings::noise_generator),
+                                  field("number_of_waves", &Settings::number_of_waves),
+                                  field("mm_per_unit", &Settings::mm_per_unit),
+                                  field("gamma_mode", &Settings::gamma_mode),
+                                  field("assumed_gamma", &Settings::assumed_gamma),
+                                  field("effective_version", &Settings::effective_version),
+                                  field("declared_version", &Settings::declared_version)};
 };
 
 template <>
@@ -278,17 +276,16 @@ struct Fields<Texture> {
 
 template <>
 struct Fields<Interior> {
-  static constexpr std::tuple all{
-      field("ior", &Interior::ior),
-      field("dispersion", &Interior::dispersion),
-      field("dispersion_samples", &Interior::dispersion_samples),
-      field("caustics", &Interior::caustics),
-      field("fade_distance", &Interior::fade_distance),
-      field("fade_power", &Interior::fade_power),
-      field("fade_colour", &Interior::fade_colour),
-      field("refraction", &Interior::refraction),
-      field("origin", &Interior::origin, Role::place),
-      field("unsupported", &Interior::unsupported)};
+  static constexpr std::tuple all{field("ior", &Interior::ior),
+                                  field("dispersion", &Interior::dispersion),
+                                  field("dispersion_samples", &Interior::dispersion_samples),
+                                  field("caustics", &Interior::caustics),
+                                  field("fade_distance", &Interior::fade_distance),
+                                  field("fade_power", &Interior::fade_power),
+                                  field("fade_colour", &Interior::fade_colour),
+                                  field("refraction", &Interior::refraction),
+                                  field("origin", &Interior::origin, Role::place),
+                                  field("unsupported", &Interior::unsupported)};
 };
 
 template <>

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/mesh.h"
 #include "base/boxed.h"
+#include "scene/mesh.h"
 #include "scene/texture.h"
 
 namespace durer::scene {

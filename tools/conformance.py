@@ -246,6 +246,7 @@ def options() -> argparse.Namespace:
     parser.add_argument("--html", type=Path, metavar="FOLDER", help="write a page with all pictures there")
     parser.add_argument("--baseline", type=Path, default=BASELINE, metavar="FILE")
     parser.add_argument("--update-baseline", action="store_true", help="take these verdicts as the new baseline")
+    parser.add_argument("--check", action="store_true", help="interpret only, and count why scenes are refused")
     parser.add_argument("--oracle-only", action="store_true", help="only fill the cache of the oracle's pictures")
     return parser.parse_args()
 
@@ -266,7 +267,30 @@ def main() -> int:
         if not programs.durer_path().exists():
             print(f"conformance: {programs.durer_path()} is not built: `make build`", file=sys.stderr)
             return 2
-        return compare(scenes, place, args)
+        return check(scenes, place, args.jobs) if args.check else compare(scenes, place, args)
+
+
+def check(scenes: list[str], place: Workplace, jobs: int) -> int:
+    """Interprets the scenes without rendering; a table of the reasons why some are refused."""
+    def interpret(name: str) -> programs.Run:
+        scene = place.scene("durer", name)
+        return programs.run([str(programs.durer_path()), "check", scene.name], scene.parent, DURER_LIMIT)
+
+    refused: dict[str, list[str]] = {}
+    crashes = 0
+    with ThreadPoolExecutor(max(1, jobs)) as pool:
+        for name, done in zip(scenes, pool.map(interpret, scenes)):
+            if done.code == 0:
+                continue
+            crashes += done.code < 0
+            reason = "timed out" if done.timed_out else f"crashed (signal {-done.code})" if done.code < 0 \
+                else programs.first_error(done.err)
+            refused.setdefault(reason, []).append(name)
+    for reason, names in sorted(refused.items(), key=lambda item: -len(item[1])):
+        print(f"{len(names):4}  {reason}  {', '.join(names[:3])}{', …' if len(names) > 3 else ''}")
+    count = sum(map(len, refused.values()))
+    print(f"\n{len(scenes)} scenes: {len(scenes) - count} interpreted, {count} refused")
+    return 1 if crashes else 0
 
 
 def fill_cache(scenes: list[str], place: Workplace) -> int:

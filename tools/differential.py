@@ -20,63 +20,14 @@ import re
 import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
 from pathlib import Path
 
+import answers
 import generators
 import programs
 
 SAMPLE = programs.ROOT / "tests" / "differential" / "sample.json"
-LIMIT = 20.0  # seconds per program
-AT_ONCE = 8   # POV-Ray spends most of its half second asleep
-START, END = "=start=", "=end="
 NAN = re.compile(r"-(?=nan)")  # the sign of NaN is an accident of the compiler
-
-
-@dataclass(frozen=True)
-class Printed:
-    """What a program printed, and where it ended with an error: None if it did not."""
-
-    text: str
-    error: str | None
-    line: int
-
-
-def framed(source: str) -> str:
-    """The source between two messages that mark its text and show a complete run; no line moves."""
-    return f'#debug "{START}\\n" {source}\n#debug "\\n{END}\\n"\n'
-
-
-def ask_oracle(scene: Path) -> Printed:
-    command = [programs.oracle_path() or "povray", f"+I{scene.name}", "-D", "-F", "+W1", "+H1", "-A", "-GR", "-GS", "-GW"]
-    done = programs.run(command, scene.parent, LIMIT)
-    text = re.sub(r"^==== \[.*\n", "", done.err.partition(f"{START}\n")[2], flags=re.MULTILINE)
-    if done.timed_out:
-        return Printed(text, "timed out", 0)
-    printed, ended, _ = text.partition(f"\n{END}\n")
-    if ended:
-        return Printed(printed, None, 0)
-    printed, found, rest = text.partition("\nFile '") if not text.startswith("File '") else ("", "File '", text[6:])
-    line = re.match(r"[^']*' line (\d+): (.*(?:\n .*)*)", rest)
-    if not found or not line:
-        return Printed(text, f"ended with code {done.code}", 0)
-    return Printed(printed, " ".join(line[2].split()), int(line[1]))
-
-
-def ask_durer(scene: Path) -> Printed:
-    with tempfile.NamedTemporaryFile() as debug:
-        command = [str(programs.durer_path()), f"+I{scene.name}", "-F", "+W1", "+H1", "-GA", "+GF", f"Debug_File={debug.name}"]
-        done = programs.run(command, scene.parent, LIMIT)
-        text = Path(debug.name).read_text("utf-8", "replace").removeprefix(f"{START}\n")
-    if done.timed_out:
-        return Printed(text, "timed out", 0)
-    if done.code < 0:
-        return Printed(text, f"crashed (signal {-done.code})", 0)
-    printed, ended, _ = text.partition(f"\n{END}\n")
-    if done.code == 0:
-        return Printed(printed, None if ended else "no end", 0)
-    line = re.search(r"--> [^\n]*?:(\d+):\d+", done.err)
-    return Printed(printed, programs.first_error(done.err), int(line[1]) if line else 0)
 
 
 def same(oracle: str, durer: str, begins: bool = False) -> bool:
@@ -88,7 +39,7 @@ def same(oracle: str, durer: str, begins: bool = False) -> bool:
     return two.startswith(one) if begins else one == two
 
 
-def verdict(oracle: Printed, durer: Printed) -> str:
+def verdict(oracle: answers.Printed, durer: answers.Printed) -> str:
     """`same`, `both fail`, `lenient`, `place` (the errors' lines differ), or what disagrees."""
     if durer.error and durer.error.startswith(("crashed", "timed out")):
         return "crash"
@@ -98,23 +49,24 @@ def verdict(oracle: Printed, durer: Printed) -> str:
         return "same" if same(oracle.text, durer.text) else "text"
     place = durer.error is not None and oracle.line == durer.line
     if not same(oracle.text, durer.text, begins=True):
-        if place and same(durer.text, oracle.text, begins=True):
+        early = durer.error is not None and "[D01" in durer.error
+        if (place or early) and same(durer.text, oracle.text, begins=True):
             return "both fail"  # what cannot be parsed is found before anything is executed
         return "rejected" if durer.error and same(durer.text, oracle.text, begins=True) else "text"
     if durer.error is None:
         return "lenient"
-    return "both fail" if place or not oracle.line else "place"
+    return "both fail" if place or "[D01" in durer.error or not oracle.line else "place"
 
 
 BAD = ("text", "rejected", "crash")
 
 
-def compare(source: str) -> tuple[str, Printed, Printed]:
+def compare(source: str) -> tuple[str, answers.Printed, answers.Printed]:
     with tempfile.TemporaryDirectory(prefix="durer-") as folder:
         scene = Path(folder) / "program.pov"
-        scene.write_text(framed(source), "utf-8")
-        oracle = ask_oracle(scene)
-        durer = ask_durer(scene)
+        scene.write_text(answers.framed(source), "utf-8")
+        oracle = answers.ask_oracle(scene)
+        durer = answers.ask_durer(scene)
     return verdict(oracle, durer), oracle, durer
 
 
@@ -122,7 +74,7 @@ def reduce(source: str, wanted: str) -> str:
     """The shortest program found by leaving out lines that still gets the verdict `wanted`."""
     lines = source.split("\n")
     size = max(1, len(lines) // 2)
-    with ThreadPoolExecutor(AT_ONCE) as pool:
+    with ThreadPoolExecutor(answers.AT_ONCE) as pool:
         while size >= 1:
             starts = range(0, len(lines), size)
             tries = [lines[:start] + lines[start + size:] for start in starts]
@@ -173,7 +125,7 @@ def run(args: argparse.Namespace) -> int:
         source = make(seed, args.subject, args.mutate)
         return seed, source, compare(source)
 
-    with ThreadPoolExecutor(AT_ONCE) as pool:
+    with ThreadPoolExecutor(answers.AT_ONCE) as pool:
         for seed, source, (what, oracle, durer) in pool.map(one, seeds):
             counts[what] += 1
             if args.show:
@@ -192,7 +144,7 @@ def run(args: argparse.Namespace) -> int:
     return 1 if any(counts[what] for what in BAD) else 0
 
 
-def show_difference(source: str, oracle: Printed, durer: Printed) -> None:
+def show_difference(source: str, oracle: answers.Printed, durer: answers.Printed) -> None:
     for one, two in zip(oracle.text.strip("\n").split("\n"), durer.text.strip("\n").split("\n")):
         if one != two:
             tag = f'concat("{one.partition(":")[0]}: "'
@@ -217,7 +169,7 @@ def record(args: argparse.Namespace) -> int:
         return seed, source, compare(source)
 
     kept, left_out = [], []
-    with ThreadPoolExecutor(AT_ONCE) as pool:
+    with ThreadPoolExecutor(answers.AT_ONCE) as pool:
         for seed, source, (what, oracle, _) in pool.map(one, range(args.seed, args.seed + args.count)):
             if what in ("same", "both fail", "place"):
                 kept.append({"source": source, "prints": oracle.text, "fails": oracle.error is not None})
@@ -235,9 +187,9 @@ def check(_: argparse.Namespace) -> int:
     def one(case: dict) -> str:
         with tempfile.TemporaryDirectory(prefix="durer-") as folder:
             scene = Path(folder) / "program.pov"
-            scene.write_text(framed(case["source"]), "utf-8")
-            durer = ask_durer(scene)
-        return verdict(Printed(case["prints"], "error" if case["fails"] else None, 0), durer) \
+            scene.write_text(answers.framed(case["source"]), "utf-8")
+            durer = answers.ask_durer(scene)
+        return verdict(answers.Printed(case["prints"], "error" if case["fails"] else None, 0), durer) \
             if durer.error != "timed out" else "crash"
 
     failed = 0

@@ -35,7 +35,7 @@ std::vector<scene::Object> samples_of(const PrimitiveType& type) {
   std::vector<scene::Object> objects;
   for (auto& args : type.samples()) objects.emplace_back().args = std::move(args);
   if (type.sample_meshes != nullptr) {
-    for (auto& mesh : type.sample_meshes()) objects.emplace_back().mesh = std::move(mesh);
+    for (auto& mesh : type.sample_meshes()) objects.emplace_back().extras.edit().mesh = std::move(mesh);
   }
   return objects;
 }

@@ -32,7 +32,7 @@ def string(w: Writer, depth: int) -> str:
         return f"str({expressions.number(w, 2)}, {w.rng.randint(-14, 14)}, {w.rng.randint(-1, 9)})"
     if kind == 6:
         length = w.rng.randint(1, 6)
-        value = expressions.vector(w, w.rng.randint(2, 4), 1) if w.chance(0.8) else expressions.number(w, 1)
+        value = expressions.vector(w, w.rng.randint(2, 4), 1) if w.chance(0.8) else w.pick(expressions.LITERALS)
         return f'vstr({length}, {value}, "{w.pick((",", "; ", "", " "))}", {w.rng.randint(-6, 6)}, {w.rng.randint(-1, 4)})'
     if kind == 7:
         return f"{w.pick(('strupr', 'strlwr'))}({string(w, depth - 1)})"

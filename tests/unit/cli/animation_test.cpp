@@ -56,8 +56,7 @@ TEST_CASE("animation: the frames that POV-Ray renders", "[cli][animation]") {
   CHECK(frames({"+KFF10", "+SF0.25", "+EF0.75", "+KC"}) == List{2, 3, 4, 5, 6, 7, 8});
 }
 
-TEST_CASE("animation: the clock is single precision, the rest has six digits",
-          "[cli][animation]") {
+TEST_CASE("animation: the clock is single precision, the rest has six digits", "[cli][animation]") {
   const auto thirds = animation({"+KFF4"});
   REQUIRE(thirds);
   CHECK(thirds->clock(1) == 0);

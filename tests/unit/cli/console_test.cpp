@@ -37,6 +37,27 @@ TEST_CASE("console: a file that cannot be written is named", "[cli][console]") {
   CHECK(problem.find("/no/such/folder/x") != std::string::npos);
 }
 
+TEST_CASE("console: diagnostics go to two streams, without colours in files", "[cli][console]") {
+  const test::Folder folder;
+  const SourceMap sources;
+  Diagnostics all(sources);
+  for (const Severity severity : {Severity::warning, Severity::error, Severity::note}) {
+    Diagnostic d;
+    d.severity = severity;
+    d.message = "m";
+    all.report(d);
+  }
+  std::string problem;
+  for (const char* level : {"+WL10", "+WL5", "+WL0"}) {
+    Console(with_files({"Fatal_File=f.txt", "Warning_File=w.txt", level}), problem).print(all);
+    CHECK(read_file("f.txt") == "error[D0101]: m\n");
+    const bool none = std::string(level) == "+WL0";
+    CHECK(read_file("w.txt") == (none ? "" : "warning[D0101]: m\nnote[D0101]: m\n"));
+  }
+  CHECK(Console(with_files({"Fatal_File=f.txt"}), problem).fail(Code::option, "x", "y") == 1);
+  CHECK(read_file("f.txt")->starts_with("error[D0603]: x\n"));
+}
+
 TEST_CASE("console: quiet leaves the errors", "[cli][console]") {
   std::string problem;
   const Console console(test::accepted({"--quiet"}), problem);

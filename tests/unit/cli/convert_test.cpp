@@ -88,16 +88,15 @@ TEST_CASE("convert: frames and limits reach the interpreter", "[cli][convert]") 
   CHECK(o.writable.empty());
 }
 
-TEST_CASE("convert: one line tells what was assumed", "[cli][convert]") {
+TEST_CASE("convert: options may change what was assumed", "[cli][convert]") {
   using scene::GammaMode;
-  const Settings plain;
-  CHECK(assumptions(plain, scene_with(GammaMode::explicit_)) == "language 3.70; assumed_gamma 1");
-  CHECK(assumptions(plain, scene_with(GammaMode::explicit_, GammaCurve::srgb())) ==
-        "language 3.70; assumed_gamma srgb");
-  CHECK(assumptions(plain, scene_with(GammaMode::implied)) ==
-        "language 3.70; no assumed_gamma, 1 is taken");
-  CHECK(assumptions(plain, scene_with(GammaMode::off, {}, 362)) ==
-        "language 3.62 (no #version); no assumed_gamma, colours are stored as they are");
+  Settings settings;
+  const std::string line = "language 3.62 (option); no assumed_gamma, colours are stored as they are";
+  CHECK(assumptions(settings, scene_with(GammaMode::off, {}, 362), line) == line);
+  settings.version = 370;
+  CHECK(assumptions(settings, scene_with(GammaMode::explicit_), "as told") == "as told");
+  CHECK(assumptions(settings, scene_with(GammaMode::off, {}, 362), line) ==
+        "language 3.62 (option); no assumed_gamma, 1 is taken because of Version=3.7");
 }
 
 }  // namespace durer::cli

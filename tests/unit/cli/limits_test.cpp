@@ -29,10 +29,10 @@ TEST_CASE("limits: an untrusted run has all of them", "[cli][limits]") {
 }
 
 TEST_CASE("limits: each has an option, which wins in either order", "[cli][limits]") {
-  const std::vector<std::string> own = {
-      "--max-macro-depth=7", "--max-include-depth=8",    "--max-loop-turns=1e9",
-      "--max-seconds=0.5",   "--max-render-seconds=1.5", "--max-memory=100",
-      "--max-pixels=1000",   "--max-frames=3"};
+  const std::vector<std::string> own = {"--max-macro-depth=7",      "--max-include-depth=8",
+                                        "--max-loop-turns=1e9",     "--max-seconds=0.5",
+                                        "--max-render-seconds=1.5", "--max-memory=100",
+                                        "--max-pixels=1000",        "--max-frames=3"};
   for (const bool first : {true, false}) {
     std::vector<std::string> words = own;
     words.insert(first ? words.begin() : words.end(), "--untrusted");
@@ -72,9 +72,9 @@ TEST_CASE("limits: untrusted runs have no shell commands and no way back", "[cli
 
 TEST_CASE("limits: INI files cannot widen an untrusted run", "[cli][limits][ini]") {
   const test::Folder folder;
-  for (const char* line : {"Output_File_Name=/tmp/x.png", "+O/tmp/x.png", "Library_Path=/",
-                           "Create_Ini=x.ini", "Debug_File=x", "+GAx", "Max_Seconds=1e9",
-                           "Max_Memory=1e9", "Max_Pixels=1e12"}) {
+  for (const char* line :
+       {"Output_File_Name=/tmp/x.png", "+O/tmp/x.png", "Library_Path=/", "Create_Ini=x.ini",
+        "Debug_File=x", "+GAx", "Max_Seconds=1e9", "Max_Memory=1e9", "Max_Pixels=1e12"}) {
     CAPTURE(line);
     folder.file("hostile.ini", line);
     CHECK(check_untrusted(test::accepted({"--untrusted", "hostile.ini"})));

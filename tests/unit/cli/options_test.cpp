@@ -17,9 +17,8 @@ using test::refused;
 /// A legal value for each option, as far as `1` and `on` do not serve.
 std::string sample(const Option& o) {
   static const std::map<std::string_view, std::string> special = {
-      {"Output_File_Type", "N"}, {"Size", "8x6"},      {"Declare", "A=1"},
-      {"Bits_Per_Color", "8"},   {"Version", "3.7"},   {"Quality", "9"},
-      {"File_Gamma", "1.8"},     {"Diagnostics", "json"},
+      {"Output_File_Type", "N"}, {"Size", "8x6"},  {"Declare", "A=1"},    {"Bits_Per_Color", "8"},
+      {"Version", "3.7"},        {"Quality", "9"}, {"File_Gamma", "1.8"}, {"Diagnostics", "json"},
   };
   if (o.keyword.ends_with("_Return")) return "S";
   if (const auto found = special.find(o.keyword); found != special.end()) return found->second;
@@ -203,6 +202,14 @@ TEST_CASE("options: what is not supported yet is an error that names it", "[cli]
     CHECK(message.find("not supported yet") != std::string::npos);
     if (!o.letters.empty())
       refused({"+" + std::string(o.letters) + (o.form == Form::flag ? "" : "x")});
+  }
+}
+
+TEST_CASE("options: obsolete ones are read, with a warning", "[cli][options]") {
+  for (const Option& o : options()) {
+    const test::Result r = test::read({std::string(o.keyword) + "=" + sample(o)});
+    CAPTURE(o.keyword, r.warnings);
+    CHECK(r.warnings.size() == (o.group == Group::obsolete ? 1 : 0));
   }
 }
 

@@ -103,8 +103,9 @@ TEST_CASE("program: +C skips pictures that are there", "[cli][program][continue]
 TEST_CASE("program: an interruption runs its command", "[cli][program][shell]") {
   const test::Folder folder;
   folder.file("a.pov", scene);
-  CHECK(interrupted_run({"a.pov", "+W4000", "+H4000", "+A0", "+R9",
-                         "User_Abort_Command=echo %o >log"}, {}) == 2);
+  CHECK(interrupted_run(
+            {"a.pov", "+W4000", "+H4000", "+A0", "+R9", "User_Abort_Command=echo %o >log"}, {}) ==
+        2);
   CHECK(read_file("log") == "a.png\n");
 }
 

@@ -1,6 +1,9 @@
 // The program as a whole: files, streams and exit codes.
 #ifdef DURER_PROGRAM
 
+#include <fmt/format.h>
+
+#include "cli/options.h"
 #include "tests/unit/cli/program.h"
 
 namespace durer::cli {
@@ -53,6 +56,21 @@ TEST_CASE("program: errors end with 1 and write nothing", "[cli][program]") {
     CHECK_FALSE(fs::exists("a.png"));
   }
   CHECK(has(run("bad.pov").err, "--> bad.pov:"));
+}
+
+TEST_CASE("program: options without effect leave the picture as it is", "[cli][program]") {
+  const test::Folder folder;
+  folder.file("a.pov", scene);
+  REQUIRE(run("a.pov +W16 +H12 +A0.1 +Oplain.png").code == 0);
+  std::string all = "a.pov +W16 +H12 +A0.1 +Oall.png";
+  for (const Option& o : options()) {
+    if (o.group != Group::no_effect) continue;
+    all += fmt::format(" {}={}", o.keyword, o.form == Form::flag ? "on" : "3");
+  }
+  const Run r = run(all + " +WT3 +MI10 +RP2 +RS7 -B -D -P +SP64 +EP8 -UR +SU +HR");
+  CAPTURE(r.err);
+  CHECK(r.code == 0);
+  CHECK((read_file("all.png") == read_file("plain.png")));
 }
 
 TEST_CASE("program: -F renders and writes nothing, --show draws", "[cli][program]") {

@@ -13,8 +13,8 @@ struct Story {
 
 /// All six commands are there; `failing` fails.
 Story story(std::vector<std::string> words, const std::string& failing = "", int render_code = 0) {
-  for (const char* moment : {"Pre_Scene", "Pre_Frame", "Post_Frame", "Post_Scene", "User_Abort",
-                             "Fatal_Error"}) {
+  for (const char* moment :
+       {"Pre_Scene", "Pre_Frame", "Post_Frame", "Post_Scene", "User_Abort", "Fatal_Error"}) {
     words.push_back(std::string(moment) + "_Command=" + moment + "%n");
   }
   const Settings settings = test::accepted(words);

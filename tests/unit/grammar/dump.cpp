@@ -63,6 +63,9 @@ class Dumper {
   std::string show(const ast::Member& n) const {
     return fmt::format("{}.{}", expr(n.object), name(n.member));
   }
+  std::string show(const ast::Element& n) const {
+    return expr(n.object) + list(n.subscripts, "[", "]");
+  }
   std::string show(const ast::OpenGroup& n) const {
     switch (n.kind) {
       case ast::OpenGroup::Kind::paren: return fmt::format("open({})", items(n.items));
@@ -93,11 +96,17 @@ class Dumper {
     std::string out = n.local ? "#local " : "#declare ";
     if (n.deprecated) out += n.deprecated_once ? "(deprecated once " : "(deprecated ";
     if (n.deprecated) out += expr(n.deprecated_message) + ") ";
-    out += name(n.name) + list(n.subscripts, "[", "]") + '=' + expr(n.value);
+    out += target(n.name, n.subscripts, n.place) + '=' + expr(n.value);
     return n.semicolon ? out + ';' : out;
   }
   std::string show(const ast::Undef& n) const {
-    return "#undef " + name(n.name) + list(n.subscripts, "[", "]");
+    return "#undef " + target(n.name, n.subscripts, n.place);
+  }
+  std::string target(grammar::SymbolId symbol, ast::Range subscripts, ast::ExprId place) const {
+    return place != ast::none ? expr(place) : name(symbol) + list(subscripts, "[", "]");
+  }
+  std::string show(const ast::Tuple& n) const {
+    return fmt::format("#{} {}{}=", n.local ? "local" : "declare", n.kind, (n.targets.count == 0 ? "" : list(n.targets, " ", "").substr(1)));
   }
   std::string show(const ast::If& n) const {
     constexpr std::string_view kinds[] = {"if", "ifdef", "ifndef", "else"};
@@ -133,7 +142,8 @@ class Dumper {
     std::string params;
     for (std::uint32_t i = 0; i < n.params.count; ++i) {
       if (i > 0) params += ' ';
-      params += name(t_.params[n.params.first + i].name);
+      const ast::Param& param = t_.params[n.params.first + i];
+      params += (param.optional ? "optional " : "") + name(param.name);
     }
     return fmt::format("#macro {}({}){{{}}}", name(n.name), params, items(n.items));
   }

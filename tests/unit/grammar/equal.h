@@ -31,9 +31,13 @@ inline bool same(const OpenGroup& a, const OpenGroup& b) {
 inline bool same(const Declare& a, const Declare& b) {
   return a.local == b.local && a.deprecated == b.deprecated && a.deprecated_once == b.deprecated_once &&
          a.deprecated_message == b.deprecated_message && a.name == b.name && same(a.subscripts, b.subscripts) &&
-         a.value == b.value && a.semicolon == b.semicolon;
+         a.place == b.place && a.value == b.value && a.semicolon == b.semicolon;
 }
-inline bool same(const Undef& a, const Undef& b) { return a.name == b.name && same(a.subscripts, b.subscripts); }
+inline bool same(const Element& a, const Element& b) { return a.object == b.object && same(a.subscripts, b.subscripts); }
+inline bool same(const Tuple& a, const Tuple& b) { return a.local == b.local && a.kind == b.kind && same(a.targets, b.targets); }
+inline bool same(const Undef& a, const Undef& b) {
+  return a.name == b.name && same(a.subscripts, b.subscripts) && a.place == b.place;
+}
 inline bool same(const Branch& a, const Branch& b) { return a.kind == b.kind && a.condition == b.condition && same(a.items, b.items); }
 inline bool same(const If& a, const If& b) { return same(a.branches, b.branches); }
 inline bool same(const While& a, const While& b) { return a.condition == b.condition && same(a.items, b.items); }
@@ -42,7 +46,7 @@ inline bool same(const For& a, const For& b) {
 }
 inline bool same(const Case& a, const Case& b) { return a.kind == b.kind && a.low == b.low && a.high == b.high && same(a.items, b.items); }
 inline bool same(const Switch& a, const Switch& b) { return a.value == b.value && same(a.cases, b.cases); }
-inline bool same(const Param& a, const Param& b) { return a.name == b.name; }
+inline bool same(const Param& a, const Param& b) { return a.name == b.name && a.optional == b.optional; }
 inline bool same(const Macro& a, const Macro& b) { return a.name == b.name && same(a.params, b.params) && same(a.items, b.items); }
 inline bool same(const Break&, const Break&) { return true; }
 inline bool same(const Include& a, const Include& b) { return a.value == b.value; }

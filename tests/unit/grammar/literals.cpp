@@ -50,7 +50,7 @@ TEST_CASE("literals: every spelling of a number is read as strtod reads it", "[g
     text += number;
     text += random() % 2 == 0 ? "," : " ,\n\t";
   }
-  text += "- .5, + 5., 007, 123456789012345678901234567890, }";
+  text += "- .5, 5., 007, 123456789012345678901234567890, }";
   for (const double x : {-0.5, 5.0, 7.0, 123456789012345678901234567890.0}) expected.push_back(x);
   const LiteralRun run = find(text);
   REQUIRE(run.count == expected.size());

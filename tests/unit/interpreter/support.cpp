@@ -63,11 +63,11 @@ constexpr std::array<const scene::TypeInfo*, 2> warps = {&turbulence, &repeat};
 
 }  // namespace
 
-Run run(const std::string& text, bool header, Options options) {
+Run run(const std::string& text, bool header, Options options, const std::string& path) {
   SourceMap sources;
   Diagnostics diagnostics(sources);
   const std::string head = "#version 3.7; global_settings { assumed_gamma 1 }\n";
-  const FileId file = sources.add("test.pov", (header ? head : std::string()) + text);
+  const FileId file = sources.add(path, (header ? head : std::string()) + text);
   Run r;
   options.on_debug = [&](std::string_view s) { r.debug += s; };
   const scene::Registry registry = {primitives, patterns, warps};
@@ -78,6 +78,12 @@ Run run(const std::string& text, bool header, Options options) {
     const std::string s =
         fmt::format("{} at {}:{}: {}", code_text(d.code), line, p.column, d.message);
     (d.severity == Severity::error ? r.errors : r.warnings).push_back(s);
+    if (d.severity != Severity::error) continue;
+    r.help.insert(r.help.end(), d.help.begin(), d.help.end());
+    for (const Label& label : d.labels) {
+      const std::uint32_t at = sources.place(label.span.begin).line;
+      r.labels.push_back(fmt::format("{}: {}", header ? at - 1 : at, label.text));
+    }
   }
   return r;
 }

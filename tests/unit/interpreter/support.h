@@ -17,10 +17,14 @@ struct Run {
   std::optional<scene::Scene> scene;  // empty after an error
   std::vector<std::string> errors;    // "D0203 at 2:8: `A` is not declared"
   std::vector<std::string> warnings;
+  std::vector<std::string> help;  // of all errors
+  std::vector<std::string> labels;
 };
 
-/// Interprets `text` (after `#version 3.7; global_settings{assumed_gamma 1}` if `header`).
-Run run(const std::string& text, bool header = true, Options options = {});
+/// Interprets `text` (after `#version 3.7; global_settings{assumed_gamma 1}` if `header`) as the
+/// contents of the file `path`.
+Run run(const std::string& text, bool header = true, Options options = {},
+        const std::string& path = "test.pov");
 
 /// What `#debug` prints for a string expression.
 std::string text_of(const std::string& expression, const std::string& before = {});

@@ -170,6 +170,7 @@ TEST_CASE("functions: pigments hold the tapes of their patterns", "[interpreter]
   const Run r =
       run("#declare A = 2; #declare P = pigment { function { A*x+y } scale 3 } #declare A = 5; "
           "sphere { 0, 1 pigment { P } } sphere { 0, 1 pigment { P gradient x } }");
+  for (const auto& e : r.errors) UNSCOPED_INFO(e);
   REQUIRE(r.scene);
   const auto pigment = [&](std::size_t i) -> scene::Pigment {
     const scene::Object& o = r.scene->objects[r.scene->roots[i].object];

@@ -1,4 +1,5 @@
 // The film: any number of threads, parts of a picture, progress and cancelling.
+#include <algorithm>
 #include <cstring>
 
 #include "tests/unit/tracer_shading/shading_test.h"
@@ -107,4 +108,40 @@ TEST_CASE("render: cancelling stops early", "[tracer][render]") {
   const auto r = render(*c, {}, {}, &cancel);
   CHECK(r.cancelled);
   CHECK(r.final.pixels_done == 0);
+}
+
+TEST_CASE("render: taken up again, a picture is the same to the last bit", "[tracer][render]") {
+  const scene::Scene scene = busy_scene();
+  const auto c = compiled(scene);
+  RenderOptions options;
+  options.width = 200;
+  options.height = 150;
+  options.antialias = GENERATE(false, true);
+  options.threads = 2;
+  const auto whole = render(*c, options);
+
+  std::atomic<bool> cancel{false};
+  tracer::Checkpoint first(options);
+  const auto half = render(*c, options, [&](const auto&) { cancel = true; }, &cancel, &first);
+  REQUIRE(half.cancelled);
+  const tracer::Checkpoint::State state = first.copy();
+  const auto done = std::count(state.done.begin(), state.done.end(), 1);
+  REQUIRE(done > 0);
+  REQUIRE(static_cast<std::size_t>(done) < state.done.size());
+
+  tracer::Checkpoint second(options);
+  REQUIRE(second.restore(state));
+  const auto rest = render(*c, options, {}, nullptr, &second);
+  CHECK_FALSE(rest.cancelled);
+  CHECK(rest.image.pixels == whole.image.pixels);
+  CHECK(rest.final.pixels_total < whole.final.pixels_total);
+  CHECK(half.final.pixels_done + rest.final.pixels_done == whole.final.pixels_done);
+}
+
+TEST_CASE("render: a checkpoint of another size is refused", "[tracer][render]") {
+  RenderOptions options;
+  const tracer::Checkpoint small(options);
+  options.width += 16;
+  tracer::Checkpoint large(options);
+  CHECK_FALSE(large.restore(small.copy()));
 }

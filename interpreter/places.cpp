@@ -1,0 +1,201 @@
+// Where values are kept: variables, elements of arrays, entries of dictionaries, and the scopes as
+// dictionaries, in any nesting (language §5.1, additions of 3.8).
+#include <fmt/format.h>
+
+#include "base/suggest.h"
+#include "interpreter/interpreter.h"
+
+namespace durer::interpreter {
+
+namespace w = grammar::words;
+namespace a = grammar::additions;
+
+namespace {
+
+bool is_dictionary(const Value& v) { return v.get<std::shared_ptr<Dictionary>>() != nullptr; }
+
+/// True if subscripts or members of the value may lead to an entry of a dictionary.
+bool may_hold_entries(const Value& v) {
+  if (is_dictionary(v)) return true;
+  const auto* array = v.get<std::shared_ptr<Array>>();
+  if (array == nullptr) return false;
+  for (const Value& element : (*array)->elements) {
+    if (!element.defined()) continue;
+    if (may_hold_entries(element)) return true;
+    if (!(*array)->mixed) return false;  // the others are of the same kind
+  }
+  return false;
+}
+
+/// The variable that a chain of members and subscripts begins with; none if it begins otherwise.
+std::optional<SymbolId> root_of(const ast::Tree& tree, ast::ExprId id) {
+  for (;;) {
+    const auto& node = tree.exprs[id].node;
+    if (const auto* name = std::get_if<ast::Name>(&node)) return name->name;
+    if (const auto* index = std::get_if<ast::Index>(&node)) return index->name;
+    if (const auto* member = std::get_if<ast::Member>(&node)) {
+      id = member->object;
+    } else if (const auto* element = std::get_if<ast::Element>(&node)) {
+      id = element->object;
+    } else {
+      return std::nullopt;
+    }
+  }
+}
+
+}  // namespace
+
+/// `local` and `global` stand for the scopes, unless an older scene has declared the name.
+bool Interpreter::is_scope(SymbolId name) const {
+  return name == w::local || (name == a::global && env_.find(name) == nullptr);
+}
+
+/// True if subscripts of `name` may lead into a dictionary, so that no flat index tells the place.
+bool Interpreter::in_dictionary(SymbolId name) const {
+  if (!additions_) return false;
+  if (is_scope(name)) return true;
+  const Value* v = Environment::value_of(env_.find(name));
+  return v != nullptr && may_hold_entries(*v);
+}
+
+Interpreter::Place Interpreter::scope_entry(SymbolId scope, SymbolId name, Span span,
+                                            Access access) {
+  const std::uint32_t wanted = scope == w::local ? env_.scope() : 0;
+  if (access == Access::write) {
+    check_new_name(name, span);
+    return {Environment::value_of(&env_.in_scope(name, wanted)), nullptr};
+  }
+  Value* v = Environment::value_of(env_.find_in_scope(name, wanted));
+  if (v == nullptr && access == Access::read) unknown_name(name, span);
+  return {v, nullptr};
+}
+
+void Interpreter::no_entry(const Dictionary& dictionary, const Text& key, Span span) {
+  const std::string wanted = key.bytes();
+  std::vector<std::string> keys;
+  for (const auto& [name, value] : dictionary.entries) keys.push_back(name.bytes());
+  const std::vector<std::string_view> views(keys.begin(), keys.end());
+  const auto near = closest(wanted, views);
+  fail(Code::unknown_name, span, fmt::format("the dictionary has no entry `{}`", wanted),
+       near ? fmt::format("did you mean `{}`?", *near) : std::string());
+}
+
+/// The entry `key` of the dictionary that `holder` is; a new one if it is to be written.
+Interpreter::Place Interpreter::dictionary_entry(Value& holder, const Text& key, Span span,
+                                                 Access access) {
+  const auto& shared = *holder.get<std::shared_ptr<Dictionary>>();
+  if (access == Access::write) {
+    // Copies share until one of them is written.
+    const bool sole = shared.use_count() == 1 && std::get<Shared<Thing>>(holder.node).use_count() == 1;
+    if (!sole) holder = Value(std::make_shared<Dictionary>(*shared));
+    return {&(*holder.get<std::shared_ptr<Dictionary>>())->entries[key], nullptr};
+  }
+  const auto it = shared->entries.find(key);
+  if (it != shared->entries.end() && it->second.defined()) return {&it->second, nullptr};
+  if (access == Access::read) no_entry(*shared, key, span);
+  return {};
+}
+
+/// Follows subscripts: numbers into arrays, strings into dictionaries.
+Interpreter::Place Interpreter::step_into(Place from, const ast::Tree& tree, ast::Range list,
+                                          Span span, Access access) {
+  for (std::uint32_t used = 0; used < list.count;) {
+    if (from.value == nullptr) return {};
+    const auto at = [&](std::uint32_t i) { return tree.expr_lists[list.first + i]; };
+    if (is_dictionary(*from.value)) {
+      const Text key = evaluate_text(tree, at(used));
+      from = dictionary_entry(*from.value, key, tree.exprs[at(used)].span, access);
+      ++used;
+      continue;
+    }
+    auto* array = from.value->get<std::shared_ptr<Array>>();
+    if (array == nullptr) {
+      fail(Code::wrong_kind, span,
+           fmt::format("expected an array or dictionary, found {}", kind_name(*from.value)));
+    }
+    Subscripts numbers;
+    for (std::size_t d = 0; d < (*array)->sizes.size() && used < list.count; ++d, ++used) {
+      numbers.add(read_subscript(tree, at(used)));
+    }
+    if (access == Access::write) {
+      if (array->use_count() > 1) *array = std::make_shared<Array>(**array);
+      if ((*array)->grows) grow(**array, numbers[0].value, numbers[0].span);
+    }
+    std::size_t taken = 0;
+    from = {&(*array)->elements[flat_index(numbers, **array, span, taken)], array->get()};
+    if (access == Access::read && !from.value->defined()) {
+      fail(Code::evaluation, span, "this array element has no value yet");
+    }
+  }
+  return from;
+}
+
+/// Where the value of a Name, Index, Member or Element is. `probe`: null if there is none.
+Interpreter::Place Interpreter::place(const ast::Tree& tree, ast::ExprId id, Access access) {
+  const ast::Expr& e = tree.exprs[id];
+  const auto variable = [&](SymbolId name) -> Place {
+    Slot* slot = env_.find(name);
+    Value* v = Environment::value_of(slot);
+    if (v == nullptr) unknown_name(name, e.span);
+    note_use(slot, e.span);
+    return {v, nullptr};
+  };
+  // What is on the way to an entry must be there, unless somebody only asks.
+  const Access on_the_way = access == Access::probe ? Access::probe : access;
+  if (const auto* name = std::get_if<ast::Name>(&e.node)) return variable(name->name);
+  if (const auto* index = std::get_if<ast::Index>(&e.node)) {
+    if (!is_scope(index->name)) {
+      return step_into(variable(index->name), tree, index->subscripts, e.span, access);
+    }
+    const ast::Range rest{index->subscripts.first + 1, index->subscripts.count - 1};
+    const Text key = evaluate_text(tree, tree.expr_lists[index->subscripts.first]);
+    const SymbolId name = symbols_.intern(key.bytes());
+    return step_into(scope_entry(index->name, name, e.span, access), tree, rest, e.span, access);
+  }
+  if (const auto* element_of = std::get_if<ast::Element>(&e.node)) {
+    return step_into(place(tree, element_of->object, on_the_way), tree, element_of->subscripts,
+                     e.span, access);
+  }
+  if (const auto* m = std::get_if<ast::Member>(&e.node)) {
+    if (const auto* object = std::get_if<ast::Name>(&tree.exprs[m->object].node);
+        object != nullptr && is_scope(object->name)) {
+      return scope_entry(object->name, m->member, e.span, access);
+    }
+    const Place holder = place(tree, m->object, on_the_way);
+    if (holder.value == nullptr) return {};
+    if (!is_dictionary(*holder.value)) {
+      fail(Code::wrong_kind, tree.exprs[m->object].span,
+           fmt::format("expected a dictionary, found {}", kind_name(*holder.value)));
+    }
+    return dictionary_entry(*holder.value, Text(name_of(m->member)), e.span, access);
+  }
+  if (const auto array = array_of(e)) {
+    return {element(*array, read_subscripts(tree, id), e.span, access == Access::write,
+                    access == Access::read),
+            nullptr};
+  }
+  fail(Code::unexpected_item, e.span, "expected a name");
+}
+
+/// The value that an Index, Member or Element stands for; null if the expression is no such place
+/// (`V.x` of a vector), or holds nothing and need not exist.
+Value* Interpreter::entry(const ast::Tree& tree, ast::ExprId id, bool must_exist) {
+  const ast::Expr& e = tree.exprs[id];
+  const Access access = must_exist ? Access::read : Access::probe;
+  if (const auto* m = std::get_if<ast::Member>(&e.node)) {
+    // Found out without evaluating subscripts: they may draw random numbers.
+    const auto root = root_of(tree, m->object);
+    if (!root) return nullptr;
+    if (!is_scope(*root)) {
+      const Value* v = Environment::value_of(env_.find(*root));
+      if (v == nullptr || v->is_num() || !may_hold_entries(*v)) return nullptr;
+    }
+    return place(tree, id, access).value;
+  }
+  if (array_of(e) || std::holds_alternative<ast::Element>(e.node)) {
+    return place(tree, id, access).value;
+  }
+  return nullptr;
+}
+
+}  // namespace durer::interpreter

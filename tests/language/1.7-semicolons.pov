@@ -1,0 +1,84 @@
+// Language §1.7: the semicolon.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+
+//= required after a float
+#declare A = 1
+#declare B = 2;
+// error: D0101 at 1:10
+
+//= required after a vector
+#declare A = <1,2,3>
+#declare B = 2;
+// error: D0101 at 1:10
+
+//= required after a colour
+#declare A = rgb 1
+#declare B = 2;
+// error: D0101 at 1:10
+
+//= only warned about below 3.5
+#version 3.1;
+#declare A = 1
+#declare B = A + 1;
+#debug concat(str(B, 0, 0), "\n")
+// expect: 2
+
+//= optional after a string
+#declare A = "a" #declare B = "b";
+#debug concat(A, "\n")
+#debug concat(B, "\n")
+// expect: a
+// expect: b
+
+//= optional after an object, a texture, an array
+#declare A = sphere { 0, 1 } #declare B = sphere { 0, 1 };
+#declare T = texture { pigment { rgb 1 } } #declare T = texture { pigment { rgb 1 } };
+#declare C = array[1] { 1 } #declare C = array[1] { 2 };
+#debug concat(str(C[0], 0, 0), "\n")
+// expect: 2
+
+//= two are accepted
+#declare A = 1;; #declare B = <1,2,3>;;
+#debug concat(str(A, 0, 0), "\n")
+// expect: 1
+
+//= three
+#declare A = 1;;;
+#debug concat(str(A, 0, 0), "\n")
+// beyond
+// expect: 1
+
+//= after #undef
+#declare A = 1; #undef A;
+#debug concat(str(defined(A), 0, 0), "\n")
+// beyond
+// expect: 0
+
+//= after #debug
+#debug "a\n";
+#debug concat("b", "\n")
+// beyond
+// expect: a
+// expect: b
+
+//= after #end
+#if (1) #end;
+#debug concat("b", "\n")
+// beyond
+// expect: b
+
+//= after an object
+sphere { 0, 1 };
+#debug concat("b", "\n")
+// beyond
+// expect: b
+
+//= after #version
+#version 3.7; #version 3.6 #debug concat("b", "\n")
+// expect: b
+
+//= after an include that ends in a declare
+#include "declares.inc";
+#debug concat(str(From_include, 0, 0), "\n")
+// expect: 42

@@ -1,0 +1,131 @@
+// Language §4.3: #declare, #local, #undef.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+
+//= declare overwrites the innermost visible name
+#declare A = 1; #macro M() #local A = 2; #declare A = 3; #debug concat(str(A,0,1)," ") #end M() #debug concat(str(A,0,1)," ")
+#debug "\n"
+// expect: 3.0 1.0
+
+//= declare inside a macro overwrites the caller's local
+#macro In() #declare L = 9; #end #macro Out() #local L = 1; In() #debug concat(str(L,0,1)," ") #end Out()
+#debug concat(str(defined(L),0,0),"\n")
+// expect: 9.0 0
+
+//= local shadows
+#declare A = 1; #macro M() #local A = 2; #debug concat(str(A,0,1)," ") #end M() #debug concat(str(A,0,1)," ")
+#debug "\n"
+// expect: 2.0 1.0
+
+//= a name may change its type
+#declare A = 1; #declare A = "s"; #debug concat(A, "\n") #declare A = <1,2,3>;
+#debug concat(vstr(3, A, ",", 0, 3), "\n")
+// expect: s
+// expect: 1.000,2.000,3.000
+
+//= the old value stands on the right side
+#declare A = 2; #declare A = <A,A+1,A*2>;
+#debug concat(vstr(3, A, ",", 0, 3), "\n")
+// expect: 2.000,3.000,4.000
+
+//= an undeclared name on the right side
+#declare A = Nothing;
+// error: D0203 at 1:14
+
+//= assignment copies arrays
+#declare A = array[2] { 1, 2 } #declare B = A; #declare B[0] = 9;
+#debug concat(str(A[0], 0, 0), "\n")
+#debug concat(str(B[0], 0, 0), "\n")
+// expect: 1
+// expect: 9
+
+//= local does not reach the elements of a global array
+#declare A = array[2] { 1, 2 } #macro M() #local A[0] = 5; #end M()
+#debug concat(str(A[0], 0, 0), "\n")
+// expect: 1
+
+//= declare does
+#declare A = array[2] { 1, 2 } #macro M() #declare A[0] = 5; #end M()
+#debug concat(str(A[0], 0, 0), "\n")
+// expect: 5
+
+//= components are no targets
+#declare V = <1,2,3>; #declare V.x = 5;
+// error: D0204 at 1:32
+
+//= a function cannot be declared again
+#declare F = function(A) { A } #declare F = function(A) { A*2 }
+// error: D0204 at 1:41
+
+//= a function can be removed and declared again
+#declare F = function(A) { A } #undef F #declare F = function(A) { A*2 }
+#debug concat(str(F(2), 0, 0), "\n")
+// expect: 4
+
+//= a macro name is no variable
+#macro M() 1 #end #declare M = 1;
+// error: D0204 at 1:28
+
+//= a variable is no macro name
+#declare A = 1; #macro A() 1 #end
+// error: D0204 at 1:24
+
+//= undef removes the innermost
+#declare A = 1; #macro M() #local A = 2; #undef A #debug concat(str(A,0,1)," ") #end M() #debug concat(str(A,0,1)," ")
+#debug "\n"
+// expect: 1.0 1.0
+
+//= undef from inside a macro
+#declare A = 1; #macro M() #undef A #end M()
+#debug concat(str(defined(A), 0, 0), "\n")
+// expect: 0
+
+//= undef of an unknown name
+#undef Nothing
+#debug concat("fine", "\n")
+// expect: fine
+
+//= undef of an element
+#declare A = array[2] { 1, 2 } #undef A[0]
+#debug concat(str(defined(A[0]), 0, 0), "\n")
+#debug concat(str(defined(A[1]), 0, 0), "\n")
+// expect: 0
+// expect: 1
+
+//= undef of a reserved word
+#undef sphere
+// error: D0201 at 1:1
+
+//= copies of objects are independent
+#declare A = sphere { 0, 1 } #declare B = object { A translate 5*x } #declare C = A
+#debug concat(vstr(3, max_extent(A), ",", 0, 3), "\n")
+#debug concat(vstr(3, max_extent(B), ",", 0, 3), "\n")
+#debug concat(vstr(3, max_extent(C), ",", 0, 3), "\n")
+// expect: 1.000,1.000,1.000
+// expect: 6.000,1.000,1.000
+// expect: 1.000,1.000,1.000
+
+//= deprecated names work
+#declare deprecated A = 1; #declare deprecated once "use B" B = 2;
+#debug concat(str(A, 0, 0), "\n")
+#debug concat(str(B, 0, 0), "\n")
+#debug concat(str(B, 0, 0), "\n")
+// expect: 1
+// expect: 2
+// expect: 2
+
+//= an element that is out of range
+#declare A = array[2] #declare A[2] = 1;
+// error: D0302 at 1:34
+
+//= an element of what is no array
+#declare A = 1; #declare A[0] = 1;
+// error: D0204 at 1:26
+
+//= nothing on the right side
+#declare A = ;
+// error: D0201 at 1:14
+
+//= no equals sign
+#declare A 1;
+// error: D0101 at 1:12

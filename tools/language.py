@@ -1,0 +1,183 @@
+#!/usr/bin/env python3
+"""The tests of tests/language: scenes that hold what they must print.
+
+    tools/language.py check [FILE...]     durer against the expectations
+    tools/language.py verify [FILE...]    POV-Ray against the same expectations
+    tools/language.py record [FILE...]    write the expectations of cases that have none, from POV-Ray
+
+A file is a prelude and cases, each begun by a line `//= what it shows`. A case is run alone, with the
+prelude and the places of the lines as they are in the file. What must come of it follows it:
+
+    // expect: TEXT            a line printed by #debug, in order
+    // error: CODE at LINE:COLUMN   it ends with this diagnostic; lines count from the title
+    // beyond                  POV-Ray reports an error here; what is expected is our own
+    // before                  POV-Ray fails too, but elsewhere: later in the text or in another file
+
+Files that scenes include or read are in tests/language/files; `verify` needs POV-Ray, `check` does not.
+"""
+
+import argparse
+import os
+import re
+import shutil
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+import answers
+import programs
+
+FOLDER = programs.ROOT / "tests" / "language"
+SCENE = "case.pov"  # a case runs under this name
+MARKS = re.compile(r"// (expect|error|beyond|before)(?:: ?(.*))?$")
+
+
+@dataclass
+class Case:
+    """One case: its title, the lines it takes in its file (counted from 0), and what must come of it."""
+
+    path: Path
+    title: str
+    first: int
+    last: int
+    source: str
+    prints: list[str]
+    error: str
+    beyond: bool
+    before: bool
+
+    @property
+    def recorded(self) -> bool:
+        return bool(self.prints or self.error or self.beyond)
+
+    def name(self) -> str:
+        return f"{self.path.name}:{self.first + 1}: {self.title}"
+
+
+def cases_of(path: Path) -> list[Case]:
+    lines = path.read_text("utf-8").split("\n")
+    starts = [k for k, line in enumerate(lines) if line.startswith("//=")]
+    found = []
+    for k, start in enumerate(starts):
+        end = starts[k + 1] if k + 1 < len(starts) else len(lines)
+        kept, marks = [], []
+        for number, line in enumerate(lines):
+            inside = number < starts[0] or start <= number < end
+            mark = MARKS.fullmatch(line) if inside else None
+            if mark:
+                marks.append(mark)
+            kept.append(line if inside and not mark else "")
+        found.append(Case(path, lines[start][3:].strip(), start, end, "\n".join(kept).rstrip("\n"),
+                          [mark[2] or "" for mark in marks if mark[1] == "expect"],
+                          next((mark[2] for mark in marks if mark[1] == "error"), ""),
+                          any(mark[1] == "beyond" for mark in marks), any(mark[1] == "before" for mark in marks)))
+    return found
+
+
+def ask(case: Case, program) -> answers.Printed:
+    with tempfile.TemporaryDirectory(prefix="durer-") as folder:
+        shutil.copytree(FOLDER / "files", folder, dirs_exist_ok=True)
+        scene = Path(folder) / SCENE
+        scene.write_text(answers.framed(case.source), "utf-8")
+        return program(scene)
+
+
+def lines_of(text: str) -> list[str]:
+    return [line.rstrip() for line in text.removesuffix("\n").split("\n")] if text.strip("\n") else []
+
+
+def error_of(case: Case, durer: answers.Printed) -> str:
+    code = re.search(r"D\d{4}", durer.error or "")
+    if durer.file not in ("", SCENE):
+        return f"{code[0] if code else durer.error} at {durer.file}:{durer.line}:{durer.column}"
+    line = durer.line - case.first - 1 if durer.line else 0
+    return f"{code[0] if code else durer.error} at {line}:{durer.column}" if durer.error else ""
+
+
+def judge_durer(case: Case) -> str | None:
+    """What is wrong, or None."""
+    if not case.recorded:
+        return "has no expectation; see `language.py record`"
+    durer = ask(case, answers.ask_durer)
+    if lines_of(durer.text) != case.prints:
+        return f"printed {lines_of(durer.text)}, expected {case.prints}" + (f"; {durer.error}" if durer.error else "")
+    if error_of(case, durer) != case.error:
+        return f"{durer.error or 'no error'} ({error_of(case, durer)}), expected {case.error or 'none'}"
+    return None
+
+
+def judge_oracle(case: Case) -> str | None:
+    oracle = ask(case, answers.ask_oracle)
+    if case.beyond:
+        return None if oracle.error else "POV-Ray accepts this; it is not beyond it"
+    if (oracle.error is not None) != bool(case.error):
+        return f"POV-Ray: {oracle.error or 'no error'}"
+    if not case.error and lines_of(oracle.text) != case.prints:
+        return f"POV-Ray printed {lines_of(oracle.text)}, not {case.prints}"
+    if case.error and not case.before and oracle.line and oracle.line != int(re.search(r" at (-?\d+)", case.error)[1]) + case.first + 1:
+        return f"POV-Ray reports line {oracle.line}: {oracle.error}"
+    return None
+
+
+def judge_all(paths: list[Path], judge) -> int:
+    cases = [case for path in paths for case in cases_of(path)]
+    workers = answers.AT_ONCE if judge is judge_oracle else os.cpu_count() or 1
+    failed = 0
+    with ThreadPoolExecutor(workers) as pool:
+        for case, wrong in zip(cases, pool.map(judge, cases)):
+            if wrong:
+                failed += 1
+                print(f"{case.name()}\n    {wrong}")
+    print(f"{len(cases)} cases, {failed} fail")
+    return 1 if failed else 0
+
+
+def record(paths: list[Path]) -> int:
+    for path in paths:
+        lines = path.read_text("utf-8").split("\n")
+        missing = [case for case in cases_of(path) if not case.recorded]
+        with ThreadPoolExecutor(answers.AT_ONCE) as pool:
+            marks = list(pool.map(marks_of, missing))
+        for case, text in reversed(list(zip(missing, marks))):
+            end = case.last
+            while not lines[end - 1].strip():
+                end -= 1
+            lines[end:end] = text
+        path.write_text("\n".join(lines), "utf-8")
+    return 0
+
+
+def marks_of(case: Case) -> list[str]:
+    """The expectations of a case: what POV-Ray prints; our own message or text where it fails."""
+    oracle = ask(case, answers.ask_oracle)
+    if oracle.error is None:
+        prints = lines_of(oracle.text)
+        if not prints:
+            print(f"{case.name()}: prints nothing")
+        return [f"// expect: {line}".rstrip() for line in prints]
+    durer = ask(case, answers.ask_durer)
+    marks = [f"// expect: {line}".rstrip() for line in lines_of(durer.text)]
+    print(f"{case.name()}: POV-Ray: {oracle.error} (line {oracle.line}); durer: {durer.error}")
+    if durer.error is None:
+        return ["// beyond", *marks]
+    return [*(["// before"] if durer.line != oracle.line or durer.file != SCENE else []), *marks, f"// error: {error_of(case, durer)}"]
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("action", choices=["check", "verify", "record"])
+    parser.add_argument("files", nargs="*", type=Path, help="default: all of tests/language")
+    args = parser.parse_args()
+    paths = args.files or sorted(FOLDER.glob("*.pov"))
+    if args.action != "check" and not programs.oracle_path():
+        print(f"language: POV-Ray is not installed; {programs.HOW_TO_INSTALL_ORACLE}", file=sys.stderr)
+        return 2
+    if args.action == "record":
+        return record(paths)
+    return judge_all(paths, judge_durer if args.action == "check" else judge_oracle)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
