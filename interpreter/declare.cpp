@@ -320,7 +320,21 @@ Value* Interpreter::element(SymbolId name, const Subscripts& list, Span span, bo
 
 // ---- macro calls -------------------------------------------------------------------------------
 
-/// Evaluates one argument, into a slot that waits for the scope of the macro to open.
+/// False for a sum or product whose first operand is a variable that holds no number.
+bool Interpreter::adds_up(const ast::Tree& tree, ast::ExprId id) {
+  const auto* sum = std::get_if<ast::Binary>(&tree.exprs[id].node);
+  if (sum == nullptr) return true;
+  while (sum != nullptr) {
+    id = sum->left;
+    sum = std::get_if<ast::Binary>(&tree.exprs[id].node);
+  }
+  const ast::Expr& first = tree.exprs[id];
+  if (!std::holds_alternative<ast::Name>(first.node) && !array_of(first)) return true;
+  const Value* v = lookup(tree, id, false);
+  return v == nullptr || !v->defined() || v->get<Num>() != nullptr;
+}
+
+/// Evaluates one argument (or several without a comma), into slots that wait for the scope of the macro to open.
 void Interpreter::add_argument(const ast::Tree& tree, ast::ExprId arg, bool optional) {
   const ast::Expr& e = tree.exprs[arg];
   // A bare name or array element goes by reference (language §4.6).
@@ -349,6 +363,16 @@ void Interpreter::add_argument(const ast::Tree& tree, ast::ExprId arg, bool opti
       v = &array.elements[slot.path.back()];
     }
     arguments_.push_back(&slot);
+  } else if (is_number(e) && ((e.may_expand && needs_expansion(tree, arg)) || !adds_up(tree, arg))) {
+    // What stands before the sign may be something else than a number: `Box -y` are two arguments.
+    Nested part(*this, tree, arg);
+    do {
+      const Span span = peek().span;
+      Value value = read_value();
+      Slot& slot = env_.make();
+      store(slot.value, std::move(value), false, nullptr, span);
+      arguments_.push_back(&slot);
+    } while (peek().kind != Token::Kind::end);
   } else if (is_number(e)) {
     Num n;
     n.length = work_out(tree, arg, 1, n.v.data());

@@ -140,6 +140,7 @@ class Interpreter {
   void call_macro(const ast::Tree& tree, ast::ExprId call, bool flatten);
   void enter_macro(const ast::Tree& tree, ast::ExprId call, const MacroRef& ref, ast::Range items,
                    bool flatten);
+  [[nodiscard]] bool adds_up(const ast::Tree& tree, ast::ExprId id);
   void add_argument(const ast::Tree& tree, ast::ExprId arg, bool optional = false);
   void read_open_arguments(const ast::Tree& tree, ast::Range items, const MacroRef& ref);
   [[nodiscard]] const MacroRef* value_macro(const ast::Tree& tree, ast::ExprId id,

@@ -119,8 +119,7 @@ void Interpreter::read_pattern_operands(scene::Pattern& p, const Token& word) {
   p.args = read_operands(info, word);
   if (info.takes_function) p.function = read_scene_function();
   if (info.takes_pigment) {
-    p.pigment = std::make_shared<const scene::Pigment>(
-        read_pigment(*scene_.textures[default_texture_].layers.back().pigment));
+    p.pigment = std::make_shared<const scene::Pigment>(read_pigment({}));
   }
 }
 

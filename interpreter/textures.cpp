@@ -83,6 +83,21 @@ scene::Texture Interpreter::materialize(const scene::TextureUse& use) {
   return t;
 }
 
+namespace {
+
+// Before version 3.5, layers that lie on others do not tint what they let through (textures §14.2).
+void filter_as_transmit(Colour& c) {
+  c.transmit += c.filter;
+  c.filter = 0;
+}
+void filter_as_transmit(scene::Pigment& p) {
+  filter_as_transmit(p.colour);
+  for (scene::PigmentEntry& e : p.entries) filter_as_transmit(e.colour);
+  for (scene::Pigment& child : p.children) filter_as_transmit(child);
+}
+
+}  // namespace
+
 /// Puts the layers of a texture on top of those in use (textures §14.2).
 void Interpreter::add_layers(scene::TextureUse& use, scene::TextureId added) {
   if (use.texture == scene::none) {
@@ -95,7 +110,13 @@ void Interpreter::add_layers(scene::TextureUse& use, scene::TextureId added) {
     fail(Code::unexpected_item, scene_.origins[top.origin].span,
          "a texture that is chosen by a pattern cannot be a layer of others");
   }
+  const std::size_t lower = t.layers.size();
   t.layers.insert(t.layers.end(), top.layers.begin(), top.layers.end());
+  if (version() <= 310) {
+    for (std::size_t i = lower; i < t.layers.size(); ++i) {
+      filter_as_transmit(t.layers[i].pigment.edit());
+    }
+  }
   if (t.unsupported.empty()) t.unsupported = top.unsupported;
   use = {add_texture(std::move(t)), {}};
 }

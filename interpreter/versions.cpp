@@ -12,7 +12,10 @@ void Interpreter::obsolete_directive(const Token& word, std::string_view name) {
   warn(Code::deprecated, word.span, fmt::format("`{}` without `#`", name),
        fmt::format("write `#{}`", name));
   if (name == "version") {
-    set_version(read_float(), word.span);
+    // Nothing after the number may run before it counts.
+    const Token t = next();
+    if (t.kind != Token::Kind::expr) unexpected(t, "a version number");
+    set_version(evaluate(*t.tree, t.expr, 1).v[0], word.span);
     return;
   }
   if (name == "include") {

@@ -37,8 +37,9 @@ def ask_oracle(scene: Path) -> Printed:
     if done.timed_out:
         return Printed(text, "timed out", 0)
     printed, ended, _ = text.partition(f"\n{END}\n")
-    if ended:
+    if ended and done.code == 0:  # an open bracket takes in the last message, and fails after it
         return Printed(printed, None, 0)
+    text = text.replace(f"\n{END}\n", "", 1)
     printed, found, rest = text.partition("\nFile '") if not text.startswith("File '") else ("", "File '", text[6:])
     line = re.match(r"[^']*' line (\d+): (.*(?:\n .*)*)", rest)
     if not found or not line:

@@ -69,6 +69,7 @@ void compile_interiors(const scene::Scene& scene, CompiledScene& out) {
   for (const Leaf& leaf : out.geometry.leaves()) {
     finishes[leaf.interior] = interior_words(scene, out.geometry.surfaces()[leaf.surface]);
   }
+  out.interiors.reserve(instances.size());
   for (std::size_t i = 0; i < instances.size(); ++i) {
     const scene::InteriorId id = instances[i].interior;
     const scene::Interior* interior = id == scene::none ? nullptr : &scene.interiors[id];

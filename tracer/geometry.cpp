@@ -104,8 +104,15 @@ void Geometry::containing(dvec3 p, std::vector<std::uint32_t>& interiors,
   const auto test = [&](std::uint32_t i) {
     if (s.body_contains(s.bodies[i], p, scratch.sweep)) found.push_back(i);
   };
-  for (const std::uint32_t i : s.endless_bodies) test(i);
-  s.body_boxes.at(p, [&](std::uint32_t box) { test(s.body_of_box[box]); });
+  constexpr int few = 4;
+  if (s.questions.load(std::memory_order_relaxed) < few) {
+    s.questions.fetch_add(1, std::memory_order_relaxed);
+    for (std::uint32_t i = 0; i < s.bodies.size(); ++i) test(i);
+  } else {
+    s.index_bodies();
+    for (const std::uint32_t i : s.index.endless) test(i);
+    s.index.boxes.at(p, [&](std::uint32_t box) { test(s.index.body_of_box[box]); });
+  }
   std::sort(found.begin(), found.end());
   for (const std::uint32_t i : found) interiors.push_back(s.bodies[i].interior);
 }

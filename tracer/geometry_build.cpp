@@ -17,7 +17,6 @@ Geometry::State::State(Flat flat, Hierarchy hierarchy) {
   add_gates(flat);
   for (const FlatEntry& entry : flat.entries) add_entry(flat, entry);
   solids->update_masks();
-  index_bodies();
   leaves = std::move(flat.leaves);
   surfaces = std::move(flat.surfaces);
   interiors = std::move(flat.interiors);
@@ -53,9 +52,8 @@ void Geometry::State::add_entry(const Flat& flat, const FlatEntry& entry) {
 std::optional<ShapeRef> Geometry::State::place(std::vector<TypeStores>& stores,
                                                const FlatLeaf& part) {
   const std::uint32_t type = part.object->type;
-  const auto ref =
-      place_object(*primitive_types()[type], stores[type], *part.object, part.to_world,
-                   part.inverted);
+  const auto ref = place_object(*primitive_types()[type], stores[type], *part.object, part.to_world,
+                                part.inverted);
   if (!ref) return ref;
   Tag& tag = ref->store->tags[ref->shape];
   tag = {part.leaf, part.mask, false};
@@ -69,20 +67,22 @@ std::optional<ShapeRef> Geometry::State::place(std::vector<TypeStores>& stores,
   return ref;
 }
 
-void Geometry::State::index_bodies() {
-  std::vector<Bounds3> boxes;
-  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-    const Body& body = bodies[i];
-    const Bounds3 b = body.store != nullptr ? body.store->inside_bounds(body.index)
-                                            : parts.solids[body.index].inside;
-    if (body.inverted || b.infinite()) {
-      endless_bodies.push_back(i);
-    } else {
-      body_of_box.push_back(i);
-      boxes.push_back(b);
+void Geometry::State::index_bodies() const {
+  std::call_once(index_made, [this] {
+    std::vector<Bounds3> boxes;
+    for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+      const Body& body = bodies[i];
+      const Bounds3 b = body.store != nullptr ? body.store->inside_bounds(body.index)
+                                              : parts.solids[body.index].inside;
+      if (body.inverted || b.infinite()) {
+        index.endless.push_back(i);
+      } else {
+        index.body_of_box.push_back(i);
+        boxes.push_back(b);
+      }
     }
-  }
-  body_boxes = BoxTree(boxes);
+    index.boxes = BoxTree(boxes);
+  });
 }
 
 void Geometry::State::build_accel(Hierarchy hierarchy) {

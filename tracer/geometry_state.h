@@ -1,6 +1,9 @@
 // What a Geometry holds. Built once (geometry_build.cpp), then only read.
 #pragma once
 
+#include <atomic>
+#include <mutex>
+
 #include <memory>
 #include <vector>
 
@@ -35,13 +38,22 @@ struct Geometry::State {
   std::unique_ptr<Accel> accel;
 
   std::vector<Body> bodies;  // in order of declaration
-  BoxTree body_boxes;        // of those that are finite …
-  std::vector<std::uint32_t> body_of_box;
-  std::vector<std::uint32_t> endless_bodies;  // … and the others
+  /// Where bodies are, for those who ask often: most scenes ask once, where their camera is, and
+  /// are better off without. Made on demand by index_bodies().
+  struct Index {
+    BoxTree boxes;  // of the bodies that are finite …
+    std::vector<std::uint32_t> body_of_box;
+    std::vector<std::uint32_t> endless;  // … and the others
+  };
+  mutable std::atomic<int> questions{0};
+  mutable std::once_flag index_made;
+  mutable Index index;
   bool translucent_shadows = true;
 
   State(Flat flat, Hierarchy hierarchy);
   [[nodiscard]] bool body_contains(const Body& body, dvec3 p, SweepState& sweep) const;
+  /// Thread-safe; does nothing the second time.
+  void index_bodies() const;
   void set_opaque(const std::vector<bool>& by_surface);
 
  private:
@@ -49,7 +61,6 @@ struct Geometry::State {
   void add_gates(const Flat& flat);
   void add_entry(const Flat& flat, const FlatEntry& entry);
   std::optional<ShapeRef> place(std::vector<TypeStores>& stores, const FlatLeaf& part);
-  void index_bodies();
 };
 
 }  // namespace durer::tracer

@@ -205,3 +205,12 @@ M() #macro M() #end
 //= below version 3.1 macros are errors
 #version 3.0; #macro M() #end
 // error: D0306 at 1:22
+
+//= an argument before a sign is no number
+#macro Turned(A) object { A rotate x } #end
+#macro Show(A, V, W) #debug concat(vstr(3, V, " ", 0, 0), "; ", vstr(3, W, " ", 0, 0), "\n") #end
+#declare Ball = sphere { 0, 1 };
+Show(Turned(Ball) -2*y, <1,2,3>)
+Show(Ball -2*y, <1,2,3>)
+// expect: -0 -2 -0; 1 2 3
+// expect: -0 -2 -0; 1 2 3

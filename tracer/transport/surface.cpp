@@ -100,8 +100,10 @@ dvec3 Tracer::bend(const View& view, const LayerProgram& layer, SurfaceView& see
   const dvec3 p = layer.normal_by_uv ? view.uv : view.q;
   n = scene_->textures.normals().at(layer.normal, p, n, &seen);
   seen.n = n;
+  // Of unit length here, but not after a patterned texture that keeps lengths: as the oracle has it.
+  n = glm::normalize(n);
   for (std::uint32_t i = view.frame_count; i-- > 0;) n = view.frames[i]->leave(n);
-  return glm::normalize(n);
+  return n;
 }
 
 vec3 Tracer::remember_reflection(const View& view, const Path& path, const LayerPoint& layer,

@@ -26,9 +26,24 @@ std::size_t bodies_at(const Geometry& geometry, dvec3 p) {
 
 }  // namespace
 
+TEST_CASE("flatten: textures of a plain colour have no place", "[tracer][flatten]") {
+  SceneBuilder b;
+  b.scene.textures.resize(2);
+  b.scene.textures[1].layers.emplace_back();
+  for (int i = 0; i < 3; ++i) {
+    scene::Object o = ball();
+    o.texture = {1, Transform::translate({1.0 * i, 0, 0})};
+    b.show(o);
+  }
+  CHECK(flat(b).surfaces.size() == 1);
+}
+
 TEST_CASE("flatten: a texture moves with what stands around its object", "[tracer][flatten]") {
   SceneBuilder b;
   b.scene.textures.resize(3);
+  for (scene::Texture& t : b.scene.textures) {  // a plain colour would look the same everywhere
+    t.layers.emplace_back().pigment.edit().pattern.type = 0;
+  }
   scene::Object own = ball();
   own.texture = {1, Transform::scale(dvec3(2))};
   own.transform = Transform::translate({100, 0, 0});  // written before the texture: not in it
