@@ -521,6 +521,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
 
   std::vector<Frame> frames_;
   std::vector<Piece> pieces_;
+  Value component_;  // what place() found last, if it was part of a vector
   std::vector<Slot*> arguments_;  // of macro calls whose scope is not open yet
   std::vector<Token> unread_;
   ast::Tree literal_tree_;  // the last few elements of long lists, as expressions

@@ -163,6 +163,12 @@ Interpreter::Place Interpreter::place(const ast::Tree& tree, ast::ExprId id, Acc
     }
     const Place holder = place(tree, m->object, on_the_way);
     if (holder.value == nullptr) return {};
+    if (const Num* number = holder.value->get<Num>(); number != nullptr && access != Access::write) {
+      Num n = *number;  // a component of a vector that an entry holds
+      n.length = take_member(n.v.data(), n.length, m->member, e.span, 1);
+      component_.set(Num(n.v[0]));
+      return {&component_, nullptr};
+    }
     if (!is_dictionary(*holder.value)) {
       fail(Code::wrong_kind, tree.exprs[m->object].span,
            fmt::format("expected a dictionary, found {}", kind_name(*holder.value)));
