@@ -65,6 +65,13 @@ TEST_CASE("additions: dictionaries hold values of any kind", "[interpreter][addi
   CHECK(worth(d + "#declare K = \"sub\";", "D[K].deep") == "9.000");
 }
 
+TEST_CASE("additions: vectors in dictionaries have components", "[interpreter][additions]") {
+  const std::string d =
+      "#version 3.8; #declare K = dictionary { .at: <0.5,0.25>, .list: array[2] { <1,2,3>, y } };";
+  CHECK(value_of("K.at.x + K.at.y", d, 2) == "0.75");
+  CHECK(value_of("K.list[0].z*K[\"at\"].x", d, 1) == "1.5");
+}
+
 TEST_CASE("additions: entries are targets", "[interpreter][additions]") {
   CHECK(worth("#declare D = dictionary; #declare D.a = 3; #declare D[\"b\"] = D.a*2;",
               "D.a + D.b") == "9.000");
