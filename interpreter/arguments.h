@@ -17,6 +17,14 @@ inline std::int32_t to_int(double v) {
   return static_cast<std::int32_t>(v);
 }
 
+inline constexpr double radians_per_degree = 0.0174532925199432957692;
+
+/// The next number of a random stream, 0…1 (language §3.4).
+inline double draw(std::uint32_t& state) {
+  state = state * 1812433253U + 12345U;
+  return state / 4294967295.0;
+}
+
 /// The arguments of one call, whether they are plain expressions or have to be read item by item.
 class Interpreter::Args {
  public:

@@ -20,7 +20,6 @@ namespace durer::interpreter {
 namespace w = grammar::words;
 
 namespace {
-constexpr double radians_per_degree = 0.0174532925199432957692;
 
 /// `v` turned about the unit vector `k` by `angle` radians: Rodrigues' matrix, with products and
 /// sums in the order that gives the oracle's last bits.
@@ -42,57 +41,6 @@ double Interpreter::days_since_2000() {
   const auto micro = duration_cast<microseconds>(system_clock::now().time_since_epoch()).count();
   constexpr double epoch_2000 = 10957;  // days from 1970 to 2000
   return static_cast<double>(micro) / 86400e6 - epoch_2000;
-}
-
-/// The functions that stand in every inner loop, when nothing about the call is special: plain
-/// arguments, no domain to leave. False, with nothing evaluated, for all others.
-bool Interpreter::float_function(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
-                                 std::span<const ast::ExprId> args, double& result) {
-  (void)e;
-  const auto number = [&](std::size_t i) { return work_out_float(tree, args[i], "argument"); };
-  const auto full = number;
-  if (args.size() == 1) {
-    switch (function) {
-      case w::abs: result = std::abs(full(0)); return true;
-      case w::cos: result = std::cos(full(0)); return true;
-      case w::sin: result = std::sin(full(0)); return true;
-      case w::tan: result = std::tan(full(0)); return true;
-      case w::atan: result = std::atan(full(0)); return true;
-      case w::exp: result = std::exp(full(0)); return true;
-      case w::floor: result = std::floor(full(0)); return true;
-      case w::ceil: result = std::ceil(full(0)); return true;
-      case w::int_: result = to_int(full(0)); return true;
-      case w::degrees: result = full(0) / radians_per_degree; return true;
-      case w::radians: result = full(0) * radians_per_degree; return true;
-      default: return false;
-    }
-  }
-  if (args.size() == 2) {
-    switch (function) {
-      case w::mod: {
-        const double a = number(0);
-        result = std::fmod(a, number(1));
-        return true;
-      }
-      case w::div: {
-        const double a = number(0);
-        result = to_int(a / number(1));
-        return true;
-      }
-      case w::max: {
-        const double a = number(0);
-        result = std::max(a, number(1));
-        return true;
-      }
-      case w::min: {
-        const double a = number(0);
-        result = std::min(a, number(1));
-        return true;
-      }
-      default: return false;
-    }
-  }
-  return false;
 }
 
 Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
@@ -239,8 +187,7 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
              "make one first: `#declare S = seed(1);`, then `rand(S)`");
       }
       std::uint32_t& s = streams_[static_cast<std::size_t>(i)];
-      s = s * 1812433253U + 12345U;
-      return number(s / 4294967295.0);
+      return number(draw(s));
     }
     case w::vdot: {
       const dvec3 a = args.vector();

@@ -113,26 +113,15 @@ Num Interpreter::unary(ast::Op op, Num operand) {
 
 /// `.x`: slot 0 gets the component, the others keep what they held (language §2.4).
 int Interpreter::take_member(double* v, int n, SymbolId name, Span span, int want) {
-  int slot = -1;
-  switch (name) {
-    case w::x:
-    case w::u:
-    case w::red: slot = 0; break;
-    case w::y:
-    case w::v:
-    case w::green: slot = 1; break;
-    case w::z:
-    case w::blue: slot = 2; break;
-    case w::t:
-    case w::filter: slot = 3; break;
-    case w::transmit: slot = 4; break;
-    case w::gray:
-      stretch(v, n, 3);
-      v[0] = 0.297 * v[0] + 0.589 * v[1] + 0.114 * v[2];
-      return 1;
-    default:
-      fail(Code::unknown_name, span, fmt::format("`{}` is no component", name_of(name)),
-           "components are x y z t, u v, red green blue filter transmit, gray");
+  if (name == w::gray) {
+    stretch(v, n, 3);
+    v[0] = 0.297 * v[0] + 0.589 * v[1] + 0.114 * v[2];
+    return 1;
+  }
+  const int slot = component_slot(name);
+  if (slot < 0) {
+    fail(Code::unknown_name, span, fmt::format("`{}` is no component", name_of(name)),
+         "components are x y z t, u v, red green blue filter transmit, gray");
   }
   if (slot >= n) {
     fail(Code::wrong_kind, span,
@@ -504,8 +493,6 @@ int Interpreter::work_out_call(const ast::Tree& tree, const ast::Expr& e, const 
   const auto* name = std::get_if<ast::Name>(&tree.exprs[call.callee].node);
   if (name != nullptr && symbols_.reserved(name->name)) {
     const std::span args(tree.expr_lists.data() + call.args.first, call.args.count);
-    double x = 0;
-    if (float_function(tree, e, name->name, args, x)) return fill(x, want, v);
     const Num n = call_builtin(tree, e, name->name, args, nullptr, want);
     std::copy(n.v.begin(), n.v.end(), v);
     return n.length;

@@ -309,8 +309,6 @@ class Interpreter {
   friend class Args;
   Num call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
                    std::span<const ast::ExprId> args, const ast::OpenGroup* open, int length);
-  bool float_function(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
-                      std::span<const ast::ExprId> args, double& result);
 void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId function,
                         std::span<const ast::ExprId> args, const ast::OpenGroup* open, Text& out);
   scene::ObjectId object_argument(const ast::Tree& tree, ast::ExprId id, Span call);

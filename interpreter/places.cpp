@@ -12,25 +12,6 @@ namespace a = grammar::additions;
 
 namespace {
 
-bool is_component(SymbolId word) {
-  switch (word) {
-    case grammar::words::x:
-    case grammar::words::y:
-    case grammar::words::z:
-    case grammar::words::t:
-    case grammar::words::u:
-    case grammar::words::v:
-    case grammar::words::red:
-    case grammar::words::green:
-    case grammar::words::blue:
-    case grammar::words::filter:
-    case grammar::words::transmit:
-    case grammar::words::gray: return true;
-    default: return false;
-  }
-}
-
-
 bool is_dictionary(const Value& v) { return v.get<std::shared_ptr<Dictionary>>() != nullptr; }
 
 /// True if subscripts or members of the value may lead to an entry of a dictionary.
@@ -183,7 +164,7 @@ Interpreter::Place Interpreter::place(const ast::Tree& tree, ast::ExprId id, Acc
     const Place holder = place(tree, m->object, on_the_way);
     if (holder.value == nullptr) return {};
     if (const Num* number = holder.value->get<Num>();
-        number != nullptr && access != Access::write && is_component(m->member)) {
+        number != nullptr && access != Access::write && (component_slot(m->member) >= 0 || m->member == grammar::words::gray)) {
       Num n = *number;  // a component of a vector that an entry holds
       n.length = take_member(n.v.data(), n.length, m->member, e.span, 1);
       component_.set(Num(n.v[0]));

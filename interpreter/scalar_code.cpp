@@ -13,8 +13,6 @@ namespace {
 namespace w = grammar::words;
 using Kind = ScalarOp::Kind;
 
-constexpr double radians_per_degree = 0.0174532925199432957692;
-
 /// Arguments that a float function takes here; 0: it is not for this machine.
 std::size_t arity(SymbolId function) {
   switch (function) {
@@ -38,23 +36,6 @@ std::size_t arity(SymbolId function) {
     case w::atan2: return 2;
     case w::select: return 3;
     default: return 0;
-  }
-}
-
-int slot_of(SymbolId member) {
-  switch (member) {
-    case w::x:
-    case w::u:
-    case w::red: return 0;
-    case w::y:
-    case w::v:
-    case w::green: return 1;
-    case w::z:
-    case w::blue: return 2;
-    case w::t:
-    case w::filter: return 3;
-    case w::transmit: return 4;
-    default: return -1;
   }
 }
 
@@ -149,7 +130,7 @@ class Compiler {
 
   bool member(const ast::Member& m) {
     const auto* object = std::get_if<ast::Name>(&tree_.exprs[m.object].node);
-    const int slot = slot_of(m.member);
+    const int slot = component_slot(m.member);
     if (object == nullptr || object->name < w::count_ || slot < 0) return false;
     return push({Kind::component, static_cast<std::uint8_t>(slot), object->name, 0});
   }
@@ -301,8 +282,7 @@ bool execute(const ScalarCode& code, const Environment& env, std::vector<std::ui
         if (i < 0 || static_cast<std::size_t>(i) >= streams.size()) return false;
         std::uint32_t& state = streams[static_cast<std::size_t>(i)];
         draws[drawn++] = {static_cast<std::size_t>(i), state};
-        state = state * 1812433253U + 12345U;
-        *top = state / 4294967295.0;
+        *top = draw(state);
         break;
       }
     }

@@ -47,6 +47,24 @@ std::string_view kind_name(const Value& value) {
   return std::visit(Visitor{}, value.node);
 }
 
+int component_slot(grammar::SymbolId member) {
+  namespace w = grammar::words;
+  switch (member) {
+    case w::x:
+    case w::u:
+    case w::red: return 0;
+    case w::y:
+    case w::v:
+    case w::green: return 1;
+    case w::z:
+    case w::blue: return 2;
+    case w::t:
+    case w::filter: return 3;
+    case w::transmit: return 4;
+    default: return -1;
+  }
+}
+
 bool same_alternative(const Value& a, const Value& b) {
   if (a.node.index() != b.node.index()) return false;
   const auto* x = std::get_if<Shared<Thing>>(&a.node);

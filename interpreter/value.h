@@ -200,6 +200,10 @@ struct Dictionary {
   std::map<Text, Value> entries;
 };
 
+/// The slot of a component that a member names (language §2.4): x u red 0, y v green 1, z blue 2,
+/// t filter 3, transmit 4; -1 for every other word.
+[[nodiscard]] int component_slot(grammar::SymbolId member);
+
 /// True if both are of one kind, whatever their values; numbers of any length are of one kind.
 [[nodiscard]] bool same_alternative(const Value& a, const Value& b);
 
