@@ -83,7 +83,7 @@ bool Interpreter::quick_assign(const ast::Tree& tree, const ast::Declare& node) 
     slot->declared = node.target;
   }
   Value& target = *Environment::value_of(slot);
-  if (result->text == nullptr) {
+  if (!result->is_text()) {
     store_number(target, result->number());
   } else if (auto* text = target.get<Shared<Text>>(); text != nullptr && text->use_count() == 1) {
     machine_.take_text(const_cast<Text&>(**text));  // nobody else holds it: see text_value
@@ -343,6 +343,7 @@ bool Interpreter::adds_up(const ast::Tree& tree, ast::ExprId id) {
   }
   const ast::Expr& first = tree.exprs[id];
   if (!std::holds_alternative<ast::Name>(first.node) && !array_of(first)) return true;
+  const Peek peek(*this);
   const Value* v = lookup(tree, id, false);
   return v == nullptr || !v->defined() || v->get<Num>() != nullptr;
 }
@@ -375,6 +376,10 @@ void Interpreter::add_argument(const ast::Tree& tree, ast::ExprId arg, bool opti
       slot.path.push_back(flat_index(list, array, e.span, used));
       v = &array.elements[slot.path.back()];
     }
+    arguments_.push_back(&slot);
+  } else if (const Operand* quickly = is_number(e) ? quick(tree, arg, 1) : nullptr) {
+    Slot& slot = env_.make();
+    store_number(slot.value, quickly->number());
     arguments_.push_back(&slot);
   } else if (is_number(e) && ((e.may_expand && needs_expansion(tree, arg)) || !adds_up(tree, arg))) {
     // What stands before the sign may be something else than a number: `Box -y` are two arguments.

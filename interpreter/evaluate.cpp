@@ -224,7 +224,11 @@ Value* Interpreter::lookup(const ast::Tree& tree, ast::ExprId id, bool must_exis
   }
   if (additions_) return entry(tree, id, must_exist);
   if (const auto array = array_of(e)) {
-    return element(*array, read_subscripts(tree, id), e.span, false, must_exist);
+    Peek peek(*this);
+    Value* v = element(*array, read_subscripts(tree, id), e.span, false, must_exist);
+    // Whoever only looks whether a number stands here works it out once more.
+    if (must_exist || !v->is_num()) peek.keep();
+    return v;
   }
   return nullptr;
 }
@@ -247,7 +251,7 @@ Num Interpreter::evaluate_full(const ast::Tree& tree, ast::ExprId id, int length
 /// A whole expression: macro calls in it may have to be spelled out first.
 int Interpreter::work_out(const ast::Tree& tree, ast::ExprId id, int want, double* v) {
   const ast::Expr& e = tree.exprs[id];
-  if (const Operand* quickly = quick(tree, id, want); quickly != nullptr && !quickly->text) {
+  if (const Operand* quickly = quick(tree, id, want); quickly != nullptr && !quickly->is_text()) {
     std::copy(quickly->v.begin(), quickly->v.end(), v);
     return quickly->length;
   }
@@ -280,6 +284,8 @@ const Operand* Interpreter::quick(const ast::Tree& tree, ast::ExprId id, int wan
   if (formula.calls_functions) workspace_.context.noise_generator = noise_generator();
   if (const Operand* result = machine_.run(formula, want)) {
     turns_ += formula.calls;
+    if (peek_ != nullptr) machine_.tell_draws(*peek_);
+    if (!formula.shines_through) machine_.clear_beyond_length();
     return result;
   }
   constexpr std::uint8_t enough = 8;

@@ -83,6 +83,9 @@ struct Formula {
   std::deque<Text> texts;      // literals
   std::uint32_t calls = 0;     // of macros in line, for the limits
   bool calls_functions = false;
+  /// It begins with a component, `V.x`: the slots behind a result of one component hold what they
+  /// held in the vector, and a place that wants more sees them (language §2.4).
+  bool shines_through = false;
   /// How often the machine had to give up; after a few times it is not tried any more.
   std::uint8_t failures = 0;
 };
@@ -98,20 +101,27 @@ struct FormulaContext {
 [[nodiscard]] Formula compile_formula(const FormulaContext& context, const ast::Tree& tree,
                                       ast::ExprId id);
 
-/// A number of `length` components, or if `text` is set, a string. Slots beyond the length are as
-/// in Num.
+/// A number of `length` components, or a string. Slots beyond the length hold nothing, unless the
+/// formula shines through.
 struct Operand {
   std::array<double, 5> v;  // NOLINT: set with length
-  int length;
-  const Text* text;
+  int length;               // 0: a string
+  const Text* string;
 
-  [[nodiscard]] bool is_float() const { return length == 1 && text == nullptr; }
+  [[nodiscard]] bool is_float() const { return length == 1; }
+  [[nodiscard]] bool is_text() const { return length == 0; }
   [[nodiscard]] Num number() const {
     Num n;
     n.v = v;
     n.length = length;
     return n;
   }
+};
+
+/// One number drawn from a random stream: how the stream was before.
+struct Draw {
+  std::size_t stream;
+  std::uint32_t before;
 };
 
 class FormulaMachine {
@@ -125,11 +135,19 @@ class FormulaMachine {
   [[nodiscard]] const Operand* run(const Formula& formula, int wanted);
   /// Takes the text of the last result, if it was a string.
   void take_text(Text& out);
+  void clear_beyond_length() {
+    Operand& result = stack_[0];
+    for (auto i = static_cast<std::size_t>(result.length); i < 5; ++i) result.v[i] = 0;
+  }
+  /// What the last run drew, in order.
+  void tell_draws(std::vector<Draw>& out) const {
+    out.insert(out.end(), draws_.begin(), draws_.begin() + static_cast<std::ptrdiff_t>(drawn_));
+  }
 
  private:
   bool execute(const Formula& formula, int wanted);
   bool apply(FormulaOp::Kind kind, Operand& left, Operand& right, int wanted);
-  bool element(const FormulaOp& op, Operand* first, int wanted);
+  bool element(const FormulaOp& op, Operand* first, int wanted) const;
   bool call_string(const FormulaOp& op, Operand* first, int wanted);
   bool call_user(const FormulaOp& op, Operand* first, int wanted);
   bool draw_number(Operand& stream, int wanted);
@@ -138,10 +156,6 @@ class FormulaMachine {
   }
   Text& own_text(Operand& operand);
 
-  struct Draw {
-    std::size_t stream;
-    std::uint32_t before;
-  };
   const Environment& env_;
   std::vector<std::uint32_t>& streams_;
   functions::Workspace& workspace_;

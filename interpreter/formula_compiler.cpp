@@ -82,6 +82,7 @@ class Compiler {
       : context_(context), tree_(&tree) {}
 
   Formula run(ast::ExprId id) {
+    formula_.shines_through = leads_with_component(id);
     if (!emit(id, FormulaOp::given, true)) formula_.ops.clear();
     formula_.ops.shrink_to_fit();
     return std::move(formula_);
@@ -97,6 +98,21 @@ class Compiler {
     std::uint8_t local = 0;
     SymbolId variable = 0;
   };
+
+  [[nodiscard]] bool leads_with_component(ast::ExprId id) const {
+    for (;;) {
+      const auto& node = tree_->exprs[id].node;
+      if (const auto* b = std::get_if<ast::Binary>(&node)) {
+        id = b->left;
+      } else if (const auto* u = std::get_if<ast::Unary>(&node)) {
+        id = u->operand;
+      } else if (const auto* p = std::get_if<ast::Paren>(&node)) {
+        id = p->inner;
+      } else {
+        return std::holds_alternative<ast::Member>(node);
+      }
+    }
+  }
 
   FormulaOp& add(Kind kind, std::uint8_t want, std::size_t count = 0, SymbolId name = 0) {
     FormulaOp& op = formula_.ops.emplace_back();
@@ -200,8 +216,17 @@ class Compiler {
   }
 
   bool conditional(const ast::Conditional& c, std::uint8_t want) {
+    if (leads_with_component(c.yes) || leads_with_component(c.no)) return false;
     return emit(c.condition, 1, false) && emit(c.yes, want, false) && emit(c.no, want, false) &&
            reduce(Kind::choose, want, 3);
+  }
+
+  /// Arguments of functions that see the slots beyond the length (language §2.4).
+  bool whole_list(ast::Range range, std::uint8_t want) {
+    for (std::uint32_t i = 0; i < range.count; ++i) {
+      if (leads_with_component(tree_->expr_lists[range.first + i])) return false;
+    }
+    return list(range, want);
   }
 
   bool list(ast::Range range, std::uint8_t want = 1) {
@@ -258,10 +283,10 @@ class Compiler {
       return list(c.args) && reduce(Kind::function, want, c.args.count, function);
     }
     if (fits(arity_of_vector_function(function))) {
-      return list(c.args, 3) && reduce(Kind::geometry, want, c.args.count, function);
+      return whole_list(c.args, 3) && reduce(Kind::geometry, want, c.args.count, function);
     }
     if (fits(arity_of_string_function(function))) {
-      return list(c.args) && reduce(Kind::string, want, c.args.count, function);
+      return whole_list(c.args, 1) && reduce(Kind::string, want, c.args.count, function);
     }
     return false;
   }
@@ -357,7 +382,8 @@ class Compiler {
       const auto* local = std::get_if<ast::Declare>(&tree_->directives[item.ref].node);
       if (local == nullptr || !assignment(*local, scope)) return false;
     }
-    return emit(tree_->items[macro.items.first + macro.items.count - 1].ref, want, true);
+    const ast::ExprId value = tree_->items[macro.items.first + macro.items.count - 1].ref;
+    return !leads_with_component(value) && emit(value, want, true);
   }
 
   bool assignment(const ast::Declare& d, std::size_t scope) {

@@ -14,40 +14,37 @@ namespace {
 namespace w = grammar::words;
 using Kind = FormulaOp::Kind;
 
-double truth(bool b) { return b ? 1.0 : 0.0; }
+inline double truth(bool b) { return b ? 1.0 : 0.0; }
 
-void set_float(Operand& o, double x, int wanted) {
-  o.v = {x, 0, 0, 0, 0};
+inline void set_float(Operand& o, double x, int wanted) {
+  o.v[0] = x;
   o.length = 1;
-  o.text = nullptr;
+  if (wanted <= 1) return;
   for (int i = 1; i < wanted; ++i) o.v[static_cast<std::size_t>(i)] = x;
-  if (wanted > 1) o.length = wanted;
+  o.length = wanted;
 }
 
 void set_vector(Operand& o, dvec3 p) {
-  o.v = {p.x, p.y, p.z, 0, 0};
+  o.v[0] = p.x;
+  o.v[1] = p.y;
+  o.v[2] = p.z;
   o.length = 3;
-  o.text = nullptr;
 }
 
-void set_text(Operand& o, const Text* text) {
-  o.length = 1;
-  o.text = text;
+inline void set_text(Operand& o, const Text* text) {
+  o.length = 0;
+  o.string = text;
 }
 
-/// What lies beyond the length of a variable is not seen.
-void set_number(Operand& o, const Num& n, int wanted) {
-  if (n.length == 1) return set_float(o, n.v[0], wanted);
-  o.v = n.v;
-  for (auto i = static_cast<std::size_t>(n.length); i < 5; ++i) o.v[i] = 0;
-  o.length = n.length;
-  o.text = nullptr;
-}
-
-bool set_value(Operand& o, const Value* v, int wanted) {
+inline bool set_value(Operand& o, const Value* v, int wanted) {
   if (v == nullptr) return false;
   if (const Num* n = v->get<Num>()) {
-    set_number(o, *n, wanted);
+    if (n->length == 1) {
+      set_float(o, n->v[0], wanted);
+    } else {
+      o.v = n->v;
+      o.length = n->length;
+    }
     return true;
   }
   const auto* text = v->get<Shared<Text>>();
@@ -55,13 +52,13 @@ bool set_value(Operand& o, const Value* v, int wanted) {
   return text != nullptr;
 }
 
-const Value* value_of(const Environment& env, SymbolId name) {
+inline const Value* value_of(const Environment& env, SymbolId name) {
   Slot* slot = env.find(name);
   // Whoever uses a deprecated name is told.
   return slot == nullptr || slot->deprecated ? nullptr : Environment::value_of(slot);
 }
 
-bool is_float(const Operand& o) { return o.is_float(); }
+inline bool is_float(const Operand& o) { return o.length == 1; }
 
 bool are_floats(const Operand* first, std::size_t count) {
   return std::all_of(first, first + count, is_float);
@@ -75,7 +72,7 @@ void stretch(Operand& o, int to) {
 }
 
 /// False where the division must be told.
-bool apply_floats(Kind kind, double a, double b, double& out) {
+inline bool apply_floats(Kind kind, double a, double b, double& out) {
   switch (kind) {
     case Kind::add: out = a + b; return true;
     case Kind::sub: out = a - b; return true;
@@ -135,7 +132,9 @@ bool apply_function(SymbolId function, const Operand* a, std::size_t count, doub
 
 /// Functions of vectors; the arguments have been read where three components were wanted.
 bool apply_geometry(SymbolId function, Operand* a, int wanted) {
-  const auto vec = [](const Operand& o) { return dvec3(o.v[0], o.v[1], o.v[2]); };
+  const auto vec = [](const Operand& o) {
+    return dvec3(o.v[0], o.v[1], o.length > 2 ? o.v[2] : 0);
+  };
   switch (function) {
     case w::vlength: set_float(*a, glm::length(vec(a[0])), wanted); return true;
     case w::vdot: set_float(*a, glm::dot(vec(a[0]), vec(a[1])), wanted); return true;
@@ -154,10 +153,10 @@ const Operand* FormulaMachine::run(const Formula& formula, int wanted) {
 }
 
 void FormulaMachine::take_text(Text& out) {
-  if (stack_[0].text == buffers_.data()) {
+  if (stack_[0].string == buffers_.data()) {
     std::swap(out, buffers_[0]);
   } else {
-    out = *stack_[0].text;
+    out = *stack_[0].string;
   }
 }
 
@@ -176,7 +175,6 @@ bool FormulaMachine::execute(const Formula& formula, int given) {
         top->v = {};
         top->v[op.name] = 1;
         top->length = op.count;
-        top->text = nullptr;
         break;
       case Kind::text: set_text(*++top, op.text); break;
       case Kind::variable: {
@@ -193,17 +191,20 @@ bool FormulaMachine::execute(const Formula& formula, int given) {
           set_float(*++top, n->v[0], length);
           break;
         }
-        set_number(*++top, *n, 1);
-        top->v[0] = top->v[op.count];
+        ++top;
+        top->v = n->v;
+        for (auto i = static_cast<std::size_t>(n->length); i < 5; ++i) top->v[i] = 0;
+        top->v[0] = n->v[op.count];
         top->length = 1;  // the others stay behind it (language §2.4)
         break;
       }
       case Kind::member: {
-        if (top->text != nullptr || op.count >= top->length) return false;
+        if (op.count >= top->length) return false;
         if (top->length == 1) {
           set_float(*top, top->v[0], wanted(op));
           break;
         }
+        for (auto i = static_cast<std::size_t>(top->length); i < 5; ++i) top->v[i] = 0;
         top->v[0] = top->v[op.count];
         top->length = 1;
         break;
@@ -229,7 +230,6 @@ bool FormulaMachine::execute(const Formula& formula, int given) {
         top -= op.count - 1;
         if (!are_floats(top, op.count)) return false;
         for (std::size_t i = 1; i < op.count; ++i) top->v[i] = top[i].v[0];
-        for (std::size_t i = op.count; i < 5; ++i) top->v[i] = 0;
         top->length = op.count;
         break;
       case Kind::add:
@@ -252,25 +252,25 @@ bool FormulaMachine::execute(const Formula& formula, int given) {
         }
         break;
       case Kind::neg:
-        if (top->text != nullptr) return false;
+        if (top->is_text()) return false;
         for (int i = 0; i < top->length; ++i) {
           top->v[static_cast<std::size_t>(i)] = -top->v[static_cast<std::size_t>(i)];
         }
         break;
       case Kind::not_:
-        if (top->text != nullptr) return false;
+        if (top->is_text()) return false;
         for (int i = 0; i < top->length; ++i) {
           double& x = top->v[static_cast<std::size_t>(i)];
           x = truth(!(std::abs(x) > epsilon));
         }
         break;
       case Kind::widen:
-        if (top->text == nullptr && top->length < wanted(op)) stretch(*top, wanted(op));
+        if (!top->is_text() && top->length < wanted(op)) stretch(*top, wanted(op));
         break;
       case Kind::choose: {
         const int n = wanted(op);
         top -= 2;
-        if (!is_float(top[0]) || top[1].text != nullptr || top[2].text != nullptr) return false;
+        if (!is_float(top[0]) || top[1].is_text() || top[2].is_text()) return false;
         Operand& chosen = top[std::abs(top[0].v[0]) > epsilon ? 1 : 2];
         if (chosen.length == 1) stretch(chosen, n);
         *top = chosen;
@@ -288,7 +288,7 @@ bool FormulaMachine::execute(const Formula& formula, int given) {
         const int n = wanted(op);
         top -= op.count - 1;
         for (std::size_t i = 0; i < op.count; ++i) {
-          if (top[i].text != nullptr || top[i].length > 3) return false;
+          if (top[i].is_text() || top[i].length > 3) return false;
         }
         if (!apply_geometry(op.name, top, n)) return false;
         break;
@@ -329,19 +329,19 @@ bool FormulaMachine::execute(const Formula& formula, int given) {
       }
       case Kind::set_local: {
         Operand& local = locals_[op.count];
-        if (top->text != nullptr) {
+        if (top->is_text()) {
           Text& text = local_texts_[op.count];
-          if (top->text == &buffer(top)) {
+          if (top->string == &buffer(top)) {
             std::swap(text, buffer(top));
-          } else if (top->text != &text) {
-            text = *top->text;
+          } else if (top->string != &text) {
+            text = *top->string;
           }
           set_text(local, &text);
         } else {
           local = *top;
-          for (auto i = static_cast<std::size_t>(local.length); i < 5; ++i) local.v[i] = 0;
-          if (local.length == 5) {  // colour variables are 32-bit (language §2)
-            for (double& x : local.v) x = static_cast<float>(x);
+          for (int i = 0; i < 5 && local.length == 5; ++i) {  // colour variables are 32-bit (§2)
+            double& x = local.v[static_cast<std::size_t>(i)];
+            x = static_cast<float>(x);
           }
         }
         --top;
@@ -354,10 +354,10 @@ bool FormulaMachine::execute(const Formula& formula, int given) {
 
 /// An operator on vectors, or a comparison of strings.
 bool FormulaMachine::apply(Kind kind, Operand& left, Operand& right, int wanted) {
-  if (left.text != nullptr || right.text != nullptr) {
+  if (left.is_text() || right.is_text()) {
     const bool compares = kind >= Kind::lt && kind <= Kind::gt;
-    if (!compares || left.text == nullptr || right.text == nullptr) return false;
-    const auto order = *left.text <=> *right.text;
+    if (!compares || !left.is_text() || !right.is_text()) return false;
+    const auto order = *left.string <=> *right.string;
     double x = 0;
     if (!apply_floats(kind, order < 0 ? -1 : order > 0 ? 1 : 0, 0, x)) return false;
     set_float(left, x, wanted);
@@ -372,7 +372,7 @@ bool FormulaMachine::apply(Kind kind, Operand& left, Operand& right, int wanted)
 }
 
 /// The number or string at the subscripts.
-bool FormulaMachine::element(const FormulaOp& op, Operand* first, int wanted) {
+bool FormulaMachine::element(const FormulaOp& op, Operand* first, int wanted) const {
   const Value* v = value_of(env_, op.name);
   const auto* array = v == nullptr ? nullptr : v->get<std::shared_ptr<Array>>();
   if (array == nullptr || (*array)->sizes.size() != op.count) return false;
@@ -409,8 +409,6 @@ bool FormulaMachine::call_user(const FormulaOp& op, Operand* first, int wanted) 
     set_float(*first, value, wanted);
     return true;
   }
-  first->v = {};
-  first->text = nullptr;
   first->length = (*f)->tape->components();
   for (int i = 0; i < first->length; ++i) {
     first->v[static_cast<std::size_t>(i)] = evaluator.component(i);
@@ -423,15 +421,15 @@ bool FormulaMachine::call_user(const FormulaOp& op, Operand* first, int wanted) 
 /// The text of an operand, to be changed in place.
 Text& FormulaMachine::own_text(Operand& operand) {
   Text& own = buffer(&operand);
-  if (operand.text != &own) {
-    own = *operand.text;
-    operand.text = &own;
+  if (operand.string != &own) {
+    own = *operand.string;
+    operand.string = &own;
   }
   return own;
 }
 
 bool FormulaMachine::call_string(const FormulaOp& op, Operand* first, int wanted) {
-  const auto is_text = [](const Operand& o) { return o.text != nullptr; };
+  const auto is_text = [](const Operand& o) { return o.is_text(); };
   const auto integer = [&](std::size_t i) { return to_int(first[i].v[0]); };
   const auto empty_text = [&]() -> Text& {
     Text& out = buffer(first);
@@ -444,7 +442,7 @@ bool FormulaMachine::call_string(const FormulaOp& op, Operand* first, int wanted
     case w::asc:
     case w::val: {
       if (!is_text(*first)) return false;
-      const Text& t = *first->text;
+      const Text& t = *first->string;
       set_float(*first,
                 op.name == w::strlen ? static_cast<double>(t.size())
                 : op.name == w::val  ? t.leading_number()
@@ -455,7 +453,7 @@ bool FormulaMachine::call_string(const FormulaOp& op, Operand* first, int wanted
     }
     case w::strcmp:
       if (!is_text(first[0]) || !is_text(first[1])) return false;
-      set_float(*first, first[0].text->difference(*first[1].text), wanted);
+      set_float(*first, first[0].string->difference(*first[1].string), wanted);
       return true;
     case w::chr: {
       if (!is_float(*first)) return false;
@@ -467,7 +465,7 @@ bool FormulaMachine::call_string(const FormulaOp& op, Operand* first, int wanted
     case w::concat: {
       if (!std::all_of(first, first + op.count, is_text)) return false;
       Text& out = own_text(*first);
-      for (std::size_t i = 1; i < op.count; ++i) out.append(*first[i].text);
+      for (std::size_t i = 1; i < op.count; ++i) out.append(*first[i].string);
       return true;
     }
     case w::strlwr:
@@ -486,18 +484,18 @@ bool FormulaMachine::call_string(const FormulaOp& op, Operand* first, int wanted
     }
     case w::substr: {
       if (!is_text(*first) || !are_floats(first + 1, 2)) return false;
-      const std::int64_t size = static_cast<std::int64_t>(first->text->size());
+      const std::int64_t size = static_cast<std::int64_t>(first->string->size());
       const std::int64_t position = integer(1);
       const std::int64_t length = integer(2);
       if (position < 0 || length < 0 || position + length - 1 > size) return false;
       const std::int64_t begin = std::min(std::max(position, std::int64_t{1}) - 1, size);
       const std::int64_t count = std::min(length, size - begin);
       Text& own = buffer(first);
-      if (first->text == &own) {
+      if (first->string == &own) {
         own.keep(static_cast<std::size_t>(begin), static_cast<std::size_t>(count));
         return true;
       }
-      const Text& whole = *first->text;
+      const Text& whole = *first->string;
       empty_text().append(whole, static_cast<std::size_t>(begin), static_cast<std::size_t>(count));
       return true;
     }
@@ -507,8 +505,8 @@ bool FormulaMachine::call_string(const FormulaOp& op, Operand* first, int wanted
       const int n = std::clamp(integer(0), 2, 5);
       Text& out = empty_text();
       for (int i = 0; i < n; ++i) {
-        if (i > 0) out.append(*first[2].text);
-        const double x = first[1].v[static_cast<std::size_t>(i)];
+        if (i > 0) out.append(*first[2].string);
+        const double x = i < first[1].length ? first[1].v[static_cast<std::size_t>(i)] : 0;
         append_number(x, integer(3), integer(4), out);
       }
       return true;

@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -20,6 +21,7 @@
 #include "interpreter/environment.h"
 #include "interpreter/formula.h"
 #include "interpreter/interpret.h"
+#include "interpreter/plain_look.h"
 #include "interpreter/stream.h"
 #include "interpreter/value.h"
 #include "scene/scene.h"
@@ -246,6 +248,33 @@ class Interpreter {
   const ast::Tree& load(const std::string& name, Span span);
   void include(const std::string& name, Span span);
 
+  /// Takes back what is drawn from random streams while it lives, unless it is to be kept: an
+  /// expression that is looked at will be worked out again.
+  class Peek {
+   public:
+    explicit Peek(Interpreter& in) : in_(in), outer_(in.peek_) { in.peek_ = &draws_; }
+    Peek(const Peek&) = delete;
+    Peek& operator=(const Peek&) = delete;
+    ~Peek() {
+      in_.peek_ = outer_;
+      if (keep_) {
+        if (outer_ != nullptr) outer_->insert(outer_->end(), draws_.begin(), draws_.end());
+        return;
+      }
+      for (std::size_t i = draws_.size(); i-- > 0;) {
+        in_.streams_[draws_[i].stream] = draws_[i].before;
+      }
+    }
+    void keep() { keep_ = true; }
+
+   private:
+    Interpreter& in_;
+    std::vector<Draw>* outer_;
+    std::vector<Draw> draws_;
+    bool keep_ = false;
+  };
+  friend class Peek;
+
   // ---- evaluate.cpp: closed expressions
   /// `length`: the number of components that the place wants (language §2.4); 1 also means "any".
   Num evaluate(const ast::Tree& tree, ast::ExprId id, int length);
@@ -340,6 +369,8 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   bool read_switch(bool fallback);  // an optional float: absent means on
   bool starts_number(const Token& token);
   [[nodiscard]] static bool starts_colour(const Token& token);
+  void check_components(const Num& n, int wanted, SymbolId word, Span span);
+  std::optional<Colour> quick_colour_block();
   Colour read_colour();  // with or without the word `color`
   Num read_colour_num(bool strict = false);
   void continue_colour(Num& c);
@@ -387,6 +418,14 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   bool starts_object(const Token& token) const;
   scene::Object read_primitive(std::uint32_t type, const Token& word);
   void read_operand(const scene::Param& param, double* out);
+  /// What is known of the operands of a type before any is read.
+  struct OperandPlan {
+    std::vector<double> fallback;
+    std::vector<std::uint16_t> offsets;  // by parameter
+    std::size_t positional = 0;          // parameters up to the last positional one
+    bool has_words = false;
+  };
+  const OperandPlan& operand_plan(const scene::TypeInfo& info);
   std::vector<double> read_operands(const scene::TypeInfo& info, const Token& word);
   // ---- meshes.cpp
   scene::Object read_mesh(std::uint32_t type, const Token& word);
@@ -435,6 +474,8 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   TextureMap read_texture_map(bool weights);
   scene::TextureId add_texture(scene::Texture texture);
   void share_texture(scene::TextureUse& use);
+  [[nodiscard]] static bool is_plain(const scene::Texture& texture);
+  bool quick_pigment(scene::TextureUse& use);
   scene::Pigment read_pigment(scene::Pigment start);
   void read_pigment_body(scene::Pigment& pigment, Token::Kind last);
   void start_pigment_pattern(scene::Pigment& pigment, std::uint32_t index, const Token& word);
@@ -468,6 +509,9 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   void read_warp(scene::Pattern& pattern, Span span);
   void skip_to(Token::Kind last);
   scene::Finish read_finish(scene::Finish start);
+  // ---- constant_blocks.cpp
+  const ast::Group* constant_block();
+  Boxed<scene::Finish> read_shared_finish(const Boxed<scene::Finish>& start);
   void read_reflection(scene::Finish& finish);
   scene::InteriorId read_interior();
   Material read_material();
@@ -552,16 +596,31 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   std::unordered_map<SymbolId, std::uint32_t> pattern_words_;
   std::unordered_map<SymbolId, std::uint32_t> warp_words_;
   std::unordered_map<SymbolId, std::uint32_t> param_words_;
+  std::unordered_map<const scene::TypeInfo*, OperandPlan> operand_plans_;
 
   std::vector<std::uint32_t> streams_;  // states of rand()
+  std::vector<Draw>* peek_ = nullptr;   // what the innermost Peek has seen drawn
   functions::Workspace workspace_;      // of calls of functions
   FormulaMachine machine_{env_, streams_, workspace_};
   scene::Scene scene_;
   std::vector<std::uint16_t> object_depths_;  // by object: 1 + that of its deepest child
   scene::TextureId default_texture_ = scene::none;
   bool reading_default_ = false;  // a normal may have settings and no pattern yet
-  /// Textures of one plain colour, by hash: objects that look alike share one.
-  std::unordered_multimap<std::size_t, scene::TextureId> plain_textures_;
+  /// Textures of one plain colour: objects that look alike share one.
+  std::unordered_map<PlainLook, scene::TextureId, PlainLook::Hash> plain_textures_;
+  std::unordered_map<const ast::Group*, bool> constant_;  // blocks, as far as known
+  struct FinishKey {
+    const ast::Group* block;
+    const void* start;
+    int version;
+    friend auto operator<=>(const FinishKey&, const FinishKey&) = default;
+  };
+  struct KnownFinish {
+    Boxed<scene::Finish> start;
+    Boxed<scene::Finish> made;
+  };
+  std::map<FinishKey, KnownFinish> finishes_;
+  scene::TextureId plain_base_ = scene::none;  // the last one that was found to be plain
   scene::TextureId own_texture_ = scene::none;  // made by the object statement being read
   std::shared_ptr<const CameraSpec> default_camera_;
   std::shared_ptr<const CameraSpec> camera_;

@@ -174,21 +174,28 @@ void Interpreter::read_operand(const scene::Param& p, double* out) {
   }
 }
 
+const Interpreter::OperandPlan& Interpreter::operand_plan(const scene::TypeInfo& info) {
+  const auto [known, is_new] = operand_plans_.try_emplace(&info);
+  OperandPlan& plan = known->second;
+  if (!is_new) return plan;
+  for (std::size_t i = 0; i < info.params.size(); ++i) {
+    const scene::Param& p = info.params[i];
+    plan.offsets.push_back(static_cast<std::uint16_t>(plan.fallback.size()));
+    plan.fallback.insert(plan.fallback.end(), p.fallback.begin(),
+                         p.fallback.begin() + scene::width(p.kind));
+    if (p.positional) plan.positional = i + 1;
+    plan.has_words |= !p.positional;
+  }
+  return plan;
+}
+
 /// The operands of a primitive, pattern or warp: positional ones in order, then flags and keyword
 /// ones.
 std::vector<double> Interpreter::read_operands(const scene::TypeInfo& info, const Token& word) {
-  std::vector<double> args;
-  args.reserve(info.arg_count());
-  std::array<std::size_t, 32> offsets;  // NOLINT: filled as far as there are parameters
-  bool has_words = false;
-  for (std::size_t i = 0; i < info.params.size(); ++i) {
-    const scene::Param& p = info.params[i];
-    offsets[i] = args.size();
-    has_words |= !p.positional;
-    args.insert(args.end(), p.fallback.begin(), p.fallback.begin() + scene::width(p.kind));
-  }
-  const auto put = [&](std::size_t i) { read_operand(info.params[i], &args[offsets[i]]); };
-  for (std::size_t i = 0; i < info.params.size(); ++i) {
+  const OperandPlan& plan = operand_plan(info);
+  std::vector<double> args = plan.fallback;
+  const auto put = [&](std::size_t i) { read_operand(info.params[i], &args[plan.offsets[i]]); };
+  for (std::size_t i = 0; i < plan.positional; ++i) {
     const scene::Param& p = info.params[i];
     if (!p.positional) continue;
     const Token& t = peek();
@@ -206,11 +213,9 @@ std::vector<double> Interpreter::read_operands(const scene::TypeInfo& info, cons
     }
     put(i);
     // A comma after the last operand is an error in the language (language §1.8).
-    bool more = false;
-    for (std::size_t k = i + 1; k < info.params.size(); ++k) more |= info.params[k].positional;
-    if (more) optional_comma();
+    if (i + 1 < plan.positional) optional_comma();
   }
-  for (bool again = has_words; again;) {
+  for (bool again = plan.has_words; again;) {
     again = false;
     const Token t = peek();
     if (t.kind != Token::Kind::word) break;

@@ -49,7 +49,7 @@ Value Interpreter::evaluate_value(const ast::Tree& tree, ast::ExprId id) {
 }
 
 Value Interpreter::take_result(const Operand& result) {
-  if (result.text != nullptr) {
+  if (result.is_text()) {
     Text text;
     machine_.take_text(text);
     return text_value(std::move(text));
@@ -72,6 +72,7 @@ bool Interpreter::is_text(const ast::Tree& tree, ast::ExprId id) {
   if (std::holds_alternative<ast::String>(e.node)) return true;
   if (const auto* p = std::get_if<ast::Paren>(&e.node)) return is_text(tree, p->inner);
   if (std::holds_alternative<ast::Name>(e.node) || array_of(e)) {
+    const Peek peek(*this);
     const Value* v = lookup(tree, id, false);
     return v != nullptr && v->get<Shared<Text>>() != nullptr;
   }
@@ -114,8 +115,8 @@ Text Interpreter::evaluate_text(const ast::Tree& tree, ast::ExprId id, bool file
 
 void Interpreter::append_text(const ast::Tree& tree, ast::ExprId id, Text& out, bool file_name) {
   const ast::Expr& e = tree.exprs[id];
-  if (const Operand* quickly = quick(tree, id, 1); quickly != nullptr && quickly->text != nullptr) {
-    return out.append(*quickly->text);
+  if (const Operand* quickly = quick(tree, id, 1); quickly != nullptr && quickly->is_text()) {
+    return out.append(*quickly->string);
   }
   if (e.may_expand && needs_expansion(tree, id, true)) {
     Nested part(*this, tree, id);

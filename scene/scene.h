@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/chunked.h"
 #include "base/colour.h"
 #include "base/gamma.h"
 #include "scene/object.h"
@@ -78,7 +79,7 @@ struct Root {
 };
 
 struct Scene {
-  std::vector<Object> objects;
+  Chunked<Object> objects;
   std::vector<Root> roots;  // in order of declaration
   std::vector<Light> lights;
   std::vector<Texture> textures;
