@@ -285,7 +285,7 @@ const Operand* Interpreter::quick(const ast::Tree& tree, ast::ExprId id, int wan
   if (const Operand* result = machine_.run(formula, want)) {
     turns_ += formula.calls;
     if (peek_ != nullptr) machine_.tell_draws(*peek_);
-    if (!formula.shines_through) machine_.clear_beyond_length();
+    if (!formula.shines_through && !result->is_text()) machine_.clear_beyond_length();
     return result;
   }
   constexpr std::uint8_t enough = 8;

@@ -154,9 +154,9 @@ const Operand* FormulaMachine::run(const Formula& formula, int wanted) {
 
 void FormulaMachine::take_text(Text& out) {
   if (stack_[0].string == buffers_.data()) {
-    std::swap(out, buffers_[0]);
+    out.swap(buffers_[0]);
   } else {
-    out = *stack_[0].string;
+    out.assign(*stack_[0].string);
   }
 }
 
@@ -332,9 +332,9 @@ bool FormulaMachine::execute(const Formula& formula, int given) {
         if (top->is_text()) {
           Text& text = local_texts_[op.count];
           if (top->string == &buffer(top)) {
-            std::swap(text, buffer(top));
+            text.swap(buffer(top));
           } else if (top->string != &text) {
-            text = *top->string;
+            text.assign(*top->string);
           }
           set_text(local, &text);
         } else {
@@ -422,7 +422,7 @@ bool FormulaMachine::call_user(const FormulaOp& op, Operand* first, int wanted) 
 Text& FormulaMachine::own_text(Operand& operand) {
   Text& own = buffer(&operand);
   if (operand.string != &own) {
-    own = *operand.string;
+    own.assign(*operand.string);
     operand.string = &own;
   }
   return own;

@@ -347,6 +347,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   [[nodiscard]] static double days_since_2000();
 
   // ---- read.cpp: expressions and values from the stream
+  [[nodiscard]] static bool ends_expression(const Frame& f, std::uint32_t pos, bool full);
   ast::ExprId take_plain(const ast::Tree*& tree, bool full);
   Num read_num(int length);   // additive level
   Num read_full(int length);  // relations, logic, ?:
@@ -409,6 +410,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   [[nodiscard]] std::string assumptions() const;
   void decode_high_bytes(std::string_view bytes, std::size_t& at, Span span, Text& out);
   std::optional<Transform> read_transformation(const Token& token);
+  Transform transformation(SymbolId word, dvec3 by, Span span);
   Transform read_transform_block();
   Transform read_matrix(const Token& word);
   std::size_t read_numbers(std::span<double> out);
@@ -416,7 +418,15 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   scene::Object read_polynomial(std::uint32_t type, const Token& word);
   scene::ObjectId read_object(const Token& word);
   bool starts_object(const Token& token) const;
+  void check_operands(const scene::TypeInfo& info, const std::vector<double>& args,
+                      const Token& word);
+  scene::Object primitive(std::uint32_t type, const Token& word);
   scene::Object read_primitive(std::uint32_t type, const Token& word);
+  // ---- quick_objects.cpp
+  [[nodiscard]] Frame* plain_items();
+  [[nodiscard]] bool is_operand(const Frame& f, std::uint32_t pos) const;
+  bool quick_operands(const scene::TypeInfo& info, std::vector<double>& args, const Token& word);
+  bool quick_modifier(scene::Object& o);
   void read_operand(const scene::Param& param, double* out);
   /// What is known of the operands of a type before any is read.
   struct OperandPlan {
@@ -424,6 +434,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
     std::vector<std::uint16_t> offsets;  // by parameter
     std::size_t positional = 0;          // parameters up to the last positional one
     bool has_words = false;
+    bool simple = true;  // the positional ones: floats and vectors, none of which may be left out
   };
   const OperandPlan& operand_plan(const scene::TypeInfo& info);
   std::vector<double> read_operands(const scene::TypeInfo& info, const Token& word);

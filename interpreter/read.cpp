@@ -187,10 +187,9 @@ const ast::Unary* leading_sign(const ast::Tree& tree, ast::ExprId id) {
 
 }  // namespace
 
-namespace {
 /// True if what is written at `pos` of the frame cannot continue an expression, whatever directives
 /// would do. `full`: nor as a relation.
-bool ends_expression(const Frame& f, std::uint32_t pos, bool full) {
+bool Interpreter::ends_expression(const Frame& f, std::uint32_t pos, bool full) {
   if (pos >= f.end) return f.kind == Frame::Kind::group || f.kind == Frame::Kind::barrier;
   const ast::Item& item = f.tree->items[pos];
   switch (item.kind) {
@@ -207,7 +206,6 @@ bool ends_expression(const Frame& f, std::uint32_t pos, bool full) {
   }
   return false;
 }
-}  // namespace
 
 /// The commonest case by far: the next item is a whole expression that needs no spelling out, and
 /// nothing that could continue it follows. Takes it and says which; `none` otherwise.

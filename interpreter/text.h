@@ -30,7 +30,17 @@ class Text {
   void append(const Text& other, std::size_t first, std::size_t count);
   void clear() {
     narrow_.clear();
-    wide_.clear();
+    if (!wide_.empty()) wide_.clear();
+  }
+  void swap(Text& other) {
+    narrow_.swap(other.narrow_);
+    if (!wide_.empty() || !other.wide_.empty()) wide_.swap(other.wide_);
+  }
+  /// The same as `=`, in the memory that this text has already.
+  void assign(const Text& other) {
+    if (this == &other) return;
+    clear();
+    append(other);
   }
   /// Keeps `count` codes from `first` on; they must be there.
   void keep(std::size_t first, std::size_t count) {
