@@ -44,6 +44,8 @@ class Render {
     }
     announce();
     const auto frame = read_frame(settings_, text, task_, console_);
+    constexpr std::size_t large = 1 << 20;  // bytes
+    frame->sources.rest(large);
     tracer::CompiledScenePtr compiled;
     if (frame->scene) compiled = tracer::compile(*frame->scene, frame->diagnostics);
     console_.print(frame->diagnostics);
