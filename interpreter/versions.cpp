@@ -24,8 +24,16 @@ void Interpreter::obsolete_directive(const Token& word, std::string_view name) {
     return;
   }
   ast::Declare node;
-  node.name = read_name("a name to declare");
-  node.target = last_span_;
+  const Token target = peek();
+  if (const auto* index = target.node<ast::Index>()) {
+    next();
+    node.name = index->name;
+    node.subscripts = index->subscripts;
+    node.target = target.span;
+  } else {
+    node.name = read_name("a name to declare");
+    node.target = last_span_;
+  }
   const Token equals = next();
   if (!equals.is_punct('=')) unexpected(equals, "`=`");
   try {
@@ -35,8 +43,8 @@ void Interpreter::obsolete_directive(const Token& word, std::string_view name) {
     declare_depth_ = outer;
     node.semicolon = accept_raw_punct(';');
     if (!node.semicolon && value.is_num()) missing_semicolon(node, *value.get<Num>());
-    check_not_function(env_.find(node.name), node.target);
-    assign(*word.tree, node, std::move(value), env_.scope(), env_.find(node.name));
+    if (node.subscripts.count == 0) check_not_function(env_.find(node.name), node.target);
+    assign(target.tree != nullptr ? *target.tree : *word.tree, node, std::move(value), env_.scope(), env_.find(node.name));
   } catch (const Failure&) {
     poison(node.name, 0, true);
     throw;

@@ -74,8 +74,8 @@ def _spline(w: Writer) -> None:
     name = w.fresh("Fs")
     kind = w.pick(("linear_spline", "quadratic_spline", "cubic_spline", "natural_spline"))
     w.line(f"#declare {name} = function {{ spline {{ {kind} 0, <1,2,3> 1, <2,0,5> 2, <4,1,1> 3, <0,0,{w.rng.randint(0, 5)}> }} }}")
-    w.line(f'#debug concat(vstr(3, {name}({w.rng.uniform(-0.5, 3.5):.3f}), " ", 0, 9), "\\n")')
-    w.line(f'#debug concat(str({name}(1.5).{w.pick("xyz")}, 0, 9), "\\n")')
+    w.show("v3", f"{name}({w.rng.uniform(-0.5, 3.5):.3f})")
+    w.show("f", f"{name}(1.5).{w.pick('xyz')}")
 
 
 def _pigment(w: Writer) -> None:
@@ -86,9 +86,9 @@ def _pigment(w: Writer) -> None:
     w.line(f"#declare {name} = function {{ pigment {{ {pigment} }} }}")
     point = ", ".join(f"{w.rng.uniform(0, 3):.3f}" for _ in range(3))
     # Colours are single precision, and interpolated so.
-    w.line(f'#debug concat(vstr(5, {name}({point}) + 1e-9, " ", 0, 5), "\\n")')
+    w.show("c", f"{name}({point}) + 1e-9", 5)
     member = w.pick(("red", "green", "blue", "filter", "transmit", "gray", "x", "t"))
-    w.line(f'#debug concat(str({name}({point}).{member} + 1e-9, 0, 5), "\\n")')
+    w.show("f", f"{name}({point}).{member} + 1e-9", 5)
     outer = w.fresh("Fn")
     w.line(f"#declare {outer} = function {{ {name}(x, y, z).{w.pick(('gray', 'red', 'hf', 'grey', 'blue'))}*2 }}")
-    w.line(f'#debug concat(str({outer}({point}) + 1e-9, 0, 5), "\\n")')
+    w.show("f", f"{outer}({point}) + 1e-9", 5)

@@ -25,7 +25,7 @@ def piece(w: Writer) -> None:
 
 def _show(w: Writer, text: str, digits: int) -> None:
     """With fewer digits than other values: the two programs solve equations in other ways."""
-    w.line(f'#debug concat(vstr(3, {text} + 0.000137, " ", 0, {digits}), "\\n")')
+    w.show("v3", f"{text} + 0.000137", digits)
 
 
 def _point(w: Writer, size: float) -> str:
@@ -33,10 +33,13 @@ def _point(w: Writer, size: float) -> str:
 
 
 def shape(w: Writer, depth: int) -> str:
-    simple = (f"sphere {{ {_point(w, 1)}, {w.rng.uniform(0.5, 2):.2f} }}",
-              f"box {{ <-1,-{w.rng.uniform(0.2, 1):.2f},-1>, <1,0.5,{w.rng.uniform(0.2, 1):.2f}> {_moves(w)} }}",
-              f"cylinder {{ -y, <0,1,{w.rng.uniform(0, 1):.2f}>, 0.7 {_moves(w)} }}",
-              f"cone {{ -y, 1, y, {w.rng.uniform(0, 0.8):.2f} {_moves(w)} }}", f"torus {{ 1, 0.3 {_moves(w)} }}")
+    """No two faces of a program lie in one plane: there POV-Ray takes either surface, as rounding has it."""
+    end = lambda: f"{w.rng.uniform(0.2, 1):.4f}"
+    simple = (f"sphere {{ {_point(w, 1)}, {w.rng.uniform(0.5, 2):.2f} {_moves(w)} }}",
+              f"box {{ <-{end()},-{end()},-{end()}>, <{end()},{end()},{end()}> {_moves(w)} }}",
+              f"cylinder {{ -{end()}*y, <0,{end()},{end()}>, 0.7 {_moves(w)} }}",
+              f"cone {{ -{end()}*y, 1, {end()}*y, {w.rng.uniform(0, 0.8):.2f} {_moves(w)} }}",
+              f"torus {{ 1, {w.rng.uniform(0.1, 0.5):.4f} {_moves(w)} }}")
     if depth == 0 or w.chance(0.3):
         return w.pick(simple)
     return f"{w.pick(('union', 'intersection', 'difference', 'merge'))} {{ {shape(w, depth - 1)} {shape(w, depth - 1)} {_moves(w)} }}"
