@@ -60,23 +60,36 @@ void Interpreter::store(Value& target, Value value, bool is_element, const Array
   target = std::move(value);
 }
 
-/// The commonest assignment by far: of a formula to a variable that holds a number already. False,
-/// with nothing evaluated, if it is anything else.
-bool Interpreter::assign_number(const ast::Tree& tree, const ast::Declare& node) {
-  if (node.value == ast::none || node.subscripts.count > 0 || node.deprecated) return false;
-  if (node.place != ast::none) return false;
-  if (!node.semicolon && version() >= 350) return false;
-  if (!is_number(tree.exprs[node.value])) return false;
+/// In loops and macros: assigns the result of compiled code to a variable that holds a number or a
+/// string, or to a new one. False, with nothing done, if it is anything else.
+bool Interpreter::quick_assign(const ast::Tree& tree, const ast::Declare& node) {
+  if (repeats_ == 0 || node.value == ast::none || node.place != ast::none) return false;
+  if (node.subscripts.count > 0 || node.deprecated || !node.semicolon) return false;
+  const auto is_plain = [](const Value* v) {
+    return v != nullptr && (v->is_num() || v->get<Shared<Text>>() != nullptr);
+  };
   Slot* slot = node.local ? env_.find_in_scope(node.name, env_.scope()) : env_.find(node.name);
-  if (slot == nullptr || slot->target != nullptr || slot->deprecated || !slot->value.is_num()) {
+  if (slot == nullptr) {
+    // The new one may hide a variable, but neither a macro nor a function.
+    Slot* const hidden = env_.find(node.name);
+    if (additions_ || (hidden != nullptr && !is_plain(Environment::value_of(hidden)))) return false;
+  } else if (slot->deprecated || !slot->path.empty() || !is_plain(Environment::value_of(slot))) {
     return false;
   }
-  Num n;
-  n.length = work_out(tree, node.value, 1, n.v.data());
-  if (slot->name != node.name || slot->target != nullptr) {  // gone meanwhile: a macro undefined it
+  const Operand* result = quick(tree, node.value, 1);
+  if (result == nullptr) return false;
+  if (slot == nullptr) {
     slot = &env_.in_scope(node.name, node.local ? env_.scope() : 0);
+    slot->declared = node.target;
   }
-  store_number(slot->value, n);
+  Value& target = *Environment::value_of(slot);
+  if (result->text == nullptr) {
+    store_number(target, result->number());
+  } else if (auto* text = target.get<Shared<Text>>(); text != nullptr && text->use_count() == 1) {
+    machine_.take_text(const_cast<Text&>(**text));  // nobody else holds it: see text_value
+  } else {
+    target = take_result(*result);
+  }
   return true;
 }
 
@@ -104,7 +117,7 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
          fmt::format("`{}` is a word of the language and cannot be declared", name_of(node.name)),
          "choose another name; names that start with a capital letter are always free");
   }
-  if (assign_number(tree, node)) return;
+  if (quick_assign(tree, node)) return;
   if (node.subscripts.count == 0 && node.place == ast::none) check_new_name(node.name, node.target);
   // Where the value goes is settled first: its last operand may stand inside a macro, whose scope
   // is still open then. The old value stays visible while the new one is worked out.

@@ -65,6 +65,9 @@ std::uint32_t index_of(const ast::Tree& tree, const ast::Directive& d) {
 // ---- conditions -------------------------------------------------------------------------------
 
 bool Interpreter::condition(const ast::Tree& tree, ast::ExprId id) {
+  if (const Operand* quickly = quick(tree, id, 1); quickly != nullptr && quickly->is_float()) {
+    return std::abs(quickly->v[0]) > epsilon;
+  }
   if (is_text(tree, id)) {
     fail(Code::wrong_kind, tree.exprs[id].span, "expected a condition, found a string",
          "compare it, as in `(Name = \"x\")`");

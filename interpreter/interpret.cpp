@@ -106,7 +106,7 @@ scene::OriginId Interpreter::origin(Span span) {
 void Interpreter::remember(const ast::Tree& tree) {
   if (tree.file >= tree_of_.size()) tree_of_.resize(tree.file + 1);
   tree_of_[tree.file] = &tree;
-  codes_of_.resize(tree_of_.size());
+  formulas_of_.resize(tree_of_.size());
 }
 
 // ---- the scene

@@ -18,8 +18,8 @@
 #include "grammar/ast.h"
 #include "grammar/vocabulary.h"
 #include "interpreter/environment.h"
+#include "interpreter/formula.h"
 #include "interpreter/interpret.h"
-#include "interpreter/scalar_code.h"
 #include "interpreter/stream.h"
 #include "interpreter/value.h"
 #include "scene/scene.h"
@@ -187,7 +187,7 @@ class Interpreter {
     return std::nullopt;
   }
   void missing_semicolon(const ast::Declare& node, const Num& n);
-  bool assign_number(const ast::Tree& tree, const ast::Declare& node);
+  bool quick_assign(const ast::Tree& tree, const ast::Declare& node);
   static void store_number(Value& target, Num n);
   void store(Value& target, Value value, bool is_element, const Array* array, Span span);
   void default_block();
@@ -253,7 +253,9 @@ class Interpreter {
   Num evaluate_full(const ast::Tree& tree, ast::ExprId id, int length);
   /// The same in place: `v` has room for five components, zero at first; returns how many count.
   int work_out(const ast::Tree& tree, ast::ExprId id, int want, double* v);
-  bool quick_float(const ast::Tree& tree, const ast::Expr& e, ast::ExprId id, int want, double& x);
+  /// The compiled way to a value (formula.h), valid until the next; null if there is none here.
+  const Operand* quick(const ast::Tree& tree, ast::ExprId id, int want);
+  Formula& formula_for(const ast::Tree& tree, ast::ExprId id);
   int work_out_full(const ast::Tree& tree, ast::ExprId id, int want, double* v);
   double work_out_float(const ast::Tree& tree, ast::ExprId id, std::string_view what);
   int work_out_closed(const ast::Tree& tree, const ast::Expr& e, int want, double* v);
@@ -273,6 +275,7 @@ class Interpreter {
   Num unary(ast::Op op, Num operand);
   Num member(Num object, SymbolId member, Span span, int length);
   Value evaluate_value(const ast::Tree& tree, ast::ExprId id);
+  Value take_result(const Operand& result);
   [[nodiscard]] bool is_text(const ast::Tree& tree, ast::ExprId id);
   Text evaluate_text(const ast::Tree& tree, ast::ExprId id, bool file_name = false);
   void note_use(const Slot* slot, Span span);
@@ -313,7 +316,6 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
                         std::span<const ast::ExprId> args, const ast::OpenGroup* open, Text& out);
   scene::ObjectId object_argument(const ast::Tree& tree, ast::ExprId id, Span call);
   [[nodiscard]] static double days_since_2000();
-  static void append_number(double value, int width, int decimals, Text& out);
 
   // ---- read.cpp: expressions and values from the stream
   ast::ExprId take_plain(const ast::Tree*& tree, bool full);
@@ -536,8 +538,9 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   std::unordered_map<std::string, std::unique_ptr<const ast::Tree>> trees_;
   std::vector<std::unique_ptr<const ast::Tree>> main_trees_;
   std::vector<const ast::Tree*> tree_of_;  // by file
-  std::vector<std::vector<std::uint32_t>> codes_of_;  // by file, expression: 1 + index into codes_
-  std::vector<ScalarCode> codes_;
+  std::vector<std::vector<Formula*>> formulas_of_;  // by file, expression
+  std::deque<Formula> formulas_;
+  Formula no_formula_;
   std::unordered_set<std::uint64_t> warned_;
   std::unordered_set<Loc> reported_;  // places of errors
   bool failed_ = false;               // an error has been reported: there will be no scene
@@ -552,6 +555,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
 
   std::vector<std::uint32_t> streams_;  // states of rand()
   functions::Workspace workspace_;      // of calls of functions
+  FormulaMachine machine_{env_, streams_, workspace_};
   scene::Scene scene_;
   std::vector<std::uint16_t> object_depths_;  // by object: 1 + that of its deepest child
   scene::TextureId default_texture_ = scene::none;

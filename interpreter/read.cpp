@@ -651,7 +651,7 @@ Value Interpreter::read_value() {
         return *v;
       }
     }
-    if (is_text(*t.tree, t.expr)) return Value(std::make_shared<const Text>(read_text()));
+    if (is_text(*t.tree, t.expr)) return text_value(read_text());
     return Value(read_num(1));
   }
   if (t.kind == Token::Kind::punct) return Value(read_num(1));

@@ -13,6 +13,7 @@ namespace w = grammar::words;
 /// Whatever the expression stands for: a number, a string, an object, a texture …
 Value Interpreter::evaluate_value(const ast::Tree& tree, ast::ExprId id) {
   const ast::Expr& e = tree.exprs[id];
+  if (const Operand* quickly = quick(tree, id, 1)) return take_result(*quickly);
   if (e.may_expand && needs_expansion(tree, id, true)) {
     Nested part(*this, tree, id);
     Value v = read_value();
@@ -43,8 +44,17 @@ Value Interpreter::evaluate_value(const ast::Tree& tree, ast::ExprId id) {
       });
     }
   }
-  if (is_text(tree, id)) return Value(std::make_shared<const Text>(evaluate_text(tree, id)));
+  if (is_text(tree, id)) return text_value(evaluate_text(tree, id));
   return Value(evaluate(tree, id, 1));
+}
+
+Value Interpreter::take_result(const Operand& result) {
+  if (result.text != nullptr) {
+    Text text;
+    machine_.take_text(text);
+    return text_value(std::move(text));
+  }
+  return Value(result.number());
 }
 
 /// Assignment copies; arrays are shared until one of the copies is written.
@@ -104,6 +114,9 @@ Text Interpreter::evaluate_text(const ast::Tree& tree, ast::ExprId id, bool file
 
 void Interpreter::append_text(const ast::Tree& tree, ast::ExprId id, Text& out, bool file_name) {
   const ast::Expr& e = tree.exprs[id];
+  if (const Operand* quickly = quick(tree, id, 1); quickly != nullptr && quickly->text != nullptr) {
+    return out.append(*quickly->text);
+  }
   if (e.may_expand && needs_expansion(tree, id, true)) {
     Nested part(*this, tree, id);
     out.append(read_text(file_name));

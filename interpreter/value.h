@@ -192,6 +192,11 @@ struct Value {
       std::is_same_v<T, MacroRef>;
 };
 
+/// A string as a value. Its text is nobody else's, so that who alone holds it may change it.
+[[nodiscard]] inline Value text_value(Text text) {
+  return Value(Shared<Text>(std::make_shared<Text>(std::move(text))));
+}
+
 struct Dictionary {
   Dictionary() = default;
   Dictionary(const Dictionary&) = default;
