@@ -207,6 +207,10 @@ class Interpreter {
   Place dictionary_entry(Value& dictionary, const Text& key, Span span, Access access);
   [[noreturn]] void no_entry(const Dictionary& dictionary, const Text& key, Span span);
   Value* entry(const ast::Tree& tree, ast::ExprId id, bool must_exist);
+  [[nodiscard]] bool leads_to_entry(const ast::Tree& tree, ast::ExprId id) const;
+  void refer(const ast::Tree& tree, ast::ExprId id, Slot& slot);
+  void refer_into(const ast::Tree& tree, ast::Range list, Slot& slot, Span span);
+  [[nodiscard]] Slot* scope_slot(SymbolId scope, SymbolId name);
   [[nodiscard]] bool is_scope(SymbolId name) const;
   [[nodiscard]] bool in_dictionary(SymbolId name) const;
   [[nodiscard]] bool starts_dictionary(const Token& token) const;

@@ -161,3 +161,7 @@ global_settings { assumed_gamma 1 }
 #declare A = (1 + 2;
 // before
 // error: D0102 at 3:1
+
+//= a conditional chooses between numbers only
+#declare S = (1 ? "a" : "b");
+// error: D0204 at 1:19

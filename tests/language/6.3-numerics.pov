@@ -147,3 +147,10 @@ global_settings { assumed_gamma 1 }
 #declare F = function(X) { X + sin(1) + 2*3/7 - pi }
 #debug concat(str(F(1), 0, 15), "\n")
 // expect: -0.442978811639039
+
+//= minimum and maximum of zeros and of what is no number
+#declare Lo = function(X, Y) { min(X, Y) } #declare Hi = function(X, Y) { max(X, Y) } #declare N = acosh(0);
+#debug concat(str(Lo(0, -0), 0, 0), " ", str(Lo(-0, 0), 0, 0), " ", str(Hi(0, -0), 0, 0), " ", str(Hi(-0, 0), 0, 0), "\n")
+#debug concat(str(Lo(N, 1), 0, 0), " ", str(Lo(1, N), 0, 0), " ", str(Hi(N, 1), 0, 0), " ", str(Hi(1, N), 0, 0), "\n")
+// expect: 0 -0 0 -0
+// expect: 1 -nan -nan 1
