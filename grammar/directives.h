@@ -146,10 +146,11 @@ struct directive_word   : one_word<words::break_, words::case_, words::debug, wo
                                    words::switch_, words::undef, words::version, words::warning, words::while_,
                                    words::write> {};
 struct plain_word       : p::seq<p::not_at<directive_word>, keyword> {};
-// A name that no misspelled directive has: all of theirs are lower-case letters.
+// A name that no misspelled directive has: all of theirs are letters, and few people write capitals.
 struct unlike_directive : word_rule<unlike_directive> {
   static bool accepts(const Builder::Word& word) {
-    return !std::all_of(word.begin, word.end, [](char c) { return c >= 'a' && c <= 'z'; });
+    const auto lower = [](char c) { return c >= 'a' && c <= 'z'; };
+    return !std::all_of(word.begin, word.end, lower) && !is_directive_in_capitals({word.begin, word.end});
   }
 };
 struct after_lone_hash  : p::sor<plain_word, unlike_directive, p::not_at<any_word>> {};

@@ -81,7 +81,8 @@ class Interpreter {
   /// part, then `end`.
   class Nested {
    public:
-    Nested(Interpreter& in, const ast::Tree& tree, ast::Range items);
+    /// `whole` is where errors are told if there are no items.
+    Nested(Interpreter& in, const ast::Tree& tree, ast::Range items, Span whole = {});
     Nested(Interpreter& in, const ast::Tree& tree, ast::ExprId expr);
     Nested(const Nested&) = delete;
     Nested& operator=(const Nested&) = delete;
@@ -355,6 +356,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   void add_size(Array& array, double written, std::size_t& total, Span span);
   void grow(Array& array, double subscript, Span span);
   void optional_comma();
+  bool argument_comma();
   void accept_raw_comma_or_peek();
   [[nodiscard]] std::string describe(const Token& token) const;
   bool accept(SymbolId word);

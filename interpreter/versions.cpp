@@ -25,6 +25,15 @@ void Interpreter::obsolete_directive(const Token& word, std::string_view name) {
   }
   ast::Declare node;
   const Token target = peek();
+  const Span gap{word.span.end(), target.span.begin - word.span.end()};
+  if (target.span.begin > word.span.end()) {
+    const std::string_view between = sources_.text(gap);
+    const std::size_t mark = between.find_first_not_of(" \t\r\n");
+    if (mark != std::string_view::npos && between[mark] == '#') {
+      fail(Code::unexpected_item, {static_cast<Loc>(gap.begin + mark), 1},
+           "expected a name to declare, found `#`");
+    }
+  }
   if (const auto* index = target.node<ast::Index>()) {
     next();
     node.name = index->name;

@@ -136,3 +136,7 @@ declare A[1] = 7;
 declare B = 8;
 #debug concat(str(A[1], 0, 0), str(B, 0, 0), "\n")
 // expect: 78
+
+//= without #, and one too late
+declare# A = 1;
+// error: D0201 at 1:8

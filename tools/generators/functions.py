@@ -24,14 +24,15 @@ def _scalar(w: Writer) -> None:
     w.names.setdefault("function", []).append(f"{name}/{len(parameters)}")
 
 
-def body(w: Writer, names: list[str], depth: int) -> str:
-    """A function expression over these names."""
+def body(w: Writer, names: list[str], depth: int, later: bool = False) -> str:
+    """A function expression over these names. `later`: in the second or a later argument of a call."""
     if depth <= 0 or w.chance(0.1):
         choices = [w.pick(names), w.pick(names), w.pick(("1", "2", "0.5", "3", "10", "pi", "clock"))]
         if w.known("f") and w.chance(0.3):
             choices.append(w.pick(w.known("f")))
         return w.pick(choices)
-    inner = lambda: body(w, names, depth - 1)
+    inner = lambda: body(w, names, depth - 1, later)
+    other = lambda: body(w, names, depth - 1, True)
     kind = w.rng.randint(0, 11)
     if kind <= 2:
         return f"({inner()} {w.pick('+-*/')} {inner()})"
@@ -44,18 +45,28 @@ def body(w: Writer, names: list[str], depth: int) -> str:
     if kind == 6:
         return f"{w.pick(ONE)}({inner()})"
     if kind == 7:
-        return f"pow({inner()}, {w.pick(('1', '2', '3', '4', '5', '6', '7', '8', '9', '0.5', '-1', '-2', inner()))})"
+        return _power(w, names, depth - 1, later)
     if kind == 8:
-        return f"{w.pick(('min', 'max'))}({inner()}, {inner()}{w.pick(('', ', ' + inner()))})"
+        return f"{w.pick(('min', 'max'))}({inner()}, {other()}{w.pick(('', ', ' + other()))})"
     if kind == 9:
-        return f"{w.pick(('mod', 'div', 'atan2'))}({inner()}, {inner()})"
+        return f"{w.pick(('mod', 'div', 'atan2'))}({inner()}, {other()})"
     if kind == 10:
-        return f"select({inner()}, {inner()}, {inner()}{w.pick(('', ', ' + inner()))})"
+        return f"select({inner()}, {other()}, {other()}{w.pick(('', ', ' + other()))})"
     if w.known("function") and w.chance(0.5):
         name, count = w.pick(w.known("function")).split("/")
-        return f"{name}({', '.join(inner() for _ in range(int(count)))})"
+        return f"{name}({', '.join([inner(), *(other() for _ in range(int(count) - 1))])})"
     index = w.fresh("k")
-    return f"{w.pick(('sum', 'prod'))}({index}, {w.rng.randint(-1, 2)}, {w.rng.randint(0, 4)}, {body(w, [*names, index], 1)})"
+    term = body(w, [*names, index], 1, True)
+    return f"{w.pick(('sum', 'prod'))}({index}, {w.rng.randint(-1, 2)}, {w.rng.randint(0, 4)}, {term})"
+
+
+def _power(w: Writer, names: list[str], depth: int, later: bool) -> str:
+    """Constant exponents are literals: in parentheses, and in later arguments, POV-Ray calls the C
+    library for the powers that durer multiplies out, which shows in the last bit."""
+    exponents = ["1", "2", "0.5", "-1", "-2", f"({body(w, names, depth, True)} + {w.pick(names)})"]
+    if not later:
+        exponents += "3456789"
+    return f"pow({body(w, names, depth, later)}, {w.pick(exponents)})"
 
 
 def _transform(w: Writer) -> None:
