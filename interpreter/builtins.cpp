@@ -206,7 +206,7 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
         if (version() >= 350) warn(Code::evaluation, e.span, "`vnormalize` of a zero vector");
         return vector(dvec3(0));
       }
-      return vector(a / n);
+      return vector(a * (1 / n));  // as the oracle rounds
     }
     case w::vrotate: {
       const dvec3 a = args.vector();

@@ -173,7 +173,8 @@ void Interpreter::assign(const ast::Tree& tree, const ast::Declare& node, Value 
   }
   Slot& slot = existing != nullptr ? *existing : env_.in_scope(node.name, node.local ? scope : 0);
   Value* target = Environment::value_of(&slot);
-  const bool through_element = slot.target != nullptr && !slot.path.empty();
+  const bool through_element = slot.target != nullptr && !slot.path.empty() &&
+                               std::holds_alternative<std::size_t>(slot.path.back());
   if (target == nullptr)
     fail(Code::evaluation, node.target, "this parameter no longer has a value");
   if (through_element && target->defined() && !same_kind(*target, value)) {
@@ -320,8 +321,7 @@ Value* Interpreter::element(SymbolId name, const Subscripts& list, Span span, bo
       fail(Code::wrong_kind, span,
            fmt::format("`{}` is {}, it takes no more subscripts", name_of(name), kind_name(*v)));
     }
-    // Copies share until one of them is written.
-    if (for_writing && array->use_count() > 1) *array = std::make_shared<Array>(**array);
+    if (for_writing) own_array(*v);
     if (for_writing && (*array)->grows) grow(**array, list[used].value, list[used].span);
     v = &(*array)->elements[flat_index(list, **array, span, used)];
   }
@@ -373,9 +373,18 @@ void Interpreter::add_argument(const ast::Tree& tree, ast::ExprId arg, bool opti
     Value* v = Environment::value_of(slot.target);
     for (std::size_t used = 0; used < list.size();) {
       Array& array = **v->get<std::shared_ptr<Array>>();
-      slot.path.push_back(flat_index(list, array, e.span, used));
-      v = &array.elements[slot.path.back()];
+      const std::size_t at = flat_index(list, array, e.span, used);
+      slot.path.emplace_back(at);
+      v = &array.elements[at];
     }
+    arguments_.push_back(&slot);
+  } else if (additions_ && leads_to_entry(tree, arg)) {
+    Slot found;
+    refer(tree, arg, found);
+    Slot& slot = env_.make();
+    slot.value = std::move(found.value);
+    slot.target = found.target;
+    slot.path = std::move(found.path);
     arguments_.push_back(&slot);
   } else if (const Operand* quickly = is_number(e) ? quick(tree, arg, 1) : nullptr) {
     Slot& slot = env_.make();

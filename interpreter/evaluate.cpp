@@ -485,7 +485,7 @@ Num Interpreter::evaluate_open(const ast::Tree& tree, const ast::Expr& e, const 
     n.length = take_value(*lookup(tree, id, true), e.span, length, n.v.data());
     return n;
   }
-  Nested part(*this, tree, g.items);
+  Nested part(*this, tree, g.items, e.span);
   if (g.kind == Kind::paren) {
     Num n = read_full(1);
     part.finish("`)`");

@@ -224,12 +224,12 @@ std::size_t Interpreter::read_arguments(const ast::Tree& tree, const ast::Expr& 
   const auto read_all = [&] {
     while (peek().kind != Token::Kind::end) {
       add(read_scalar("argument"));
-      optional_comma();
+      argument_comma();
     }
   };
   const auto* call = std::get_if<ast::Call>(&e.node);
   if (call == nullptr) {
-    const Nested part(*this, tree, std::get<ast::OpenGroup>(e.node).items);
+    const Nested part(*this, tree, std::get<ast::OpenGroup>(e.node).items, e.span);
     read_all();
     return n;
   }

@@ -83,7 +83,8 @@ class Interpreter {
   /// part, then `end`.
   class Nested {
    public:
-    Nested(Interpreter& in, const ast::Tree& tree, ast::Range items);
+    /// `whole` is where errors are told if there are no items.
+    Nested(Interpreter& in, const ast::Tree& tree, ast::Range items, Span whole = {});
     Nested(Interpreter& in, const ast::Tree& tree, ast::ExprId expr);
     Nested(const Nested&) = delete;
     Nested& operator=(const Nested&) = delete;
@@ -209,6 +210,10 @@ class Interpreter {
   Place dictionary_entry(Value& dictionary, const Text& key, Span span, Access access);
   [[noreturn]] void no_entry(const Dictionary& dictionary, const Text& key, Span span);
   Value* entry(const ast::Tree& tree, ast::ExprId id, bool must_exist);
+  [[nodiscard]] bool leads_to_entry(const ast::Tree& tree, ast::ExprId id) const;
+  void refer(const ast::Tree& tree, ast::ExprId id, Slot& slot);
+  void refer_into(const ast::Tree& tree, ast::Range list, Slot& slot, Span span);
+  [[nodiscard]] Slot* scope_slot(SymbolId scope, SymbolId name);
   [[nodiscard]] bool is_scope(SymbolId name) const;
   [[nodiscard]] bool in_dictionary(SymbolId name) const;
   [[nodiscard]] bool starts_dictionary(const Token& token) const;
@@ -383,6 +388,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   void add_size(Array& array, double written, std::size_t& total, Span span);
   void grow(Array& array, double subscript, Span span);
   void optional_comma();
+  bool argument_comma();
   void accept_raw_comma_or_peek();
   [[nodiscard]] std::string describe(const Token& token) const;
   bool accept(SymbolId word);

@@ -31,6 +31,19 @@ bool Interpreter::accept_punct(char c) {
 /// Commas between operands are optional (language §1.8).
 void Interpreter::optional_comma() { accept_raw_comma_or_peek(); }
 
+/// The same between arguments of functions: a comma that nothing follows has lost an argument. True
+/// if there was one.
+bool Interpreter::argument_comma() {
+  const Token t = raw_next();
+  optional_comma();
+  if (!t.is_punct(',')) return false;
+  if (peek().kind == Token::Kind::end) {
+    fail(Code::missing_argument, t.span, "expected another argument after this comma",
+         "remove the comma if the arguments are complete");
+  }
+  return true;
+}
+
 /// Takes a comma if one follows. Nothing is executed to find out when the next item tells.
 void Interpreter::accept_raw_comma_or_peek() {
   if (Frame& f = frames_.back();

@@ -205,6 +205,11 @@ struct Dictionary {
   std::map<Text, Value> entries;
 };
 
+/// What the array or dictionary in `v` holds, for writing: copies share it until one is written. Null
+/// if `v` is none.
+Array* own_array(Value& v);
+Dictionary* own_dictionary(Value& v);
+
 /// The slot of a component that a member names (language §2.4): x u red 0, y v green 1, z blue 2,
 /// t filter 3, transmit 4; -1 for every other word.
 [[nodiscard]] int component_slot(grammar::SymbolId member);

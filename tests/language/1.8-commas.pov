@@ -78,3 +78,20 @@ sphere { 0, 1, }
 //= between entries of colour maps
 #declare M = color_map { [0 rgb 1], [1 rgb 0] }
 // error: D0201 at 1:35
+
+//= after the last argument of a built-in function
+#declare A = pow(2, 3,);
+// error: D0202 at 1:22
+
+//= after the last argument of a function
+#declare F = function(X) { X } #declare A = F(1,);
+// error: D0202 at 1:48
+
+//= after the last argument inside functions
+#declare F = function(X) { max(X, 2,) }
+// error: D0202 at 1:36
+
+//= after the last argument of a macro
+#macro M(A, B) A + B #end
+#debug concat(str(M(1, 2,), 0, 0), "\n")
+// expect: 3

@@ -129,3 +129,14 @@ global_settings { assumed_gamma 1 }
 //= no equals sign
 #declare A 1;
 // error: D0101 at 1:12
+
+//= without #, also of an element
+#declare A = array[2] { 1, 2 }
+declare A[1] = 7;
+declare B = 8;
+#debug concat(str(A[1], 0, 0), str(B, 0, 0), "\n")
+// expect: 78
+
+//= without #, and one too late
+declare# A = 1;
+// error: D0201 at 1:8
