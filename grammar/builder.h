@@ -63,6 +63,8 @@ class Builder {
   /// True if the operand before this place is a member that no component is called: only entries of
   /// dictionaries have elements and can be called.
   [[nodiscard]] bool after_entry() const;
+  /// True behind `rgb 1` and the like, or behind an operator there: such expressions may compare.
+  [[nodiscard]] bool after_colour() const;
   /// True if the item before this place is an expression.
   [[nodiscard]] bool after_operand() const;
 

@@ -25,6 +25,7 @@ import collections
 import functools
 import os
 import re
+import shlex
 import shutil
 import sys
 import tempfile
@@ -87,7 +88,7 @@ def cases_of(path: Path) -> list[Case]:
             kept.append(line if inside and not mark else "")
         case = Case(path, lines[start][3:].strip(), start, end, "\n".join(kept).rstrip("\n"), marks["expect"],
                     next(iter(marks["error"]), ""), "beyond" in marks, "before" in marks, next(iter(marks["later"]), ""))
-        words = " ".join(marks["each"]).split()
+        words = [word for line in marks["each"] for word in shlex.split(line)]
         found += [case.standing_for(word) for word in words] if words else [case]
     return found
 
