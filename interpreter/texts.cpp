@@ -29,6 +29,7 @@ Value Interpreter::evaluate_value(const ast::Tree& tree, ast::ExprId id) {
       const Value* v = lookup(tree, id, true);
       if (!v->defined())
         fail(Code::evaluation, e.span, fmt::format("`{}` has no value", name_of(name->name)));
+      check_copyable(*v, name->name, e.span);
       return copy_of(*v);
     }
   } else if (array_of(e)) {
@@ -45,6 +46,16 @@ Value Interpreter::evaluate_value(const ast::Tree& tree, ast::ExprId id) {
   }
   if (is_text(tree, id)) return Value(std::make_shared<const Text>(evaluate_text(tree, id)));
   return Value(evaluate(tree, id, 1));
+}
+
+void Interpreter::check_copyable(const Value& v, SymbolId name, Span span) {
+  if (v.get<MacroRef>() != nullptr) {
+    fail(Code::wrong_kind, span, fmt::format("`{}` is a macro", name_of(name)),
+         fmt::format("call it: `{}()`", name_of(name)));
+  }
+  if (v.get<std::shared_ptr<DataFile>>() != nullptr) {
+    fail(Code::wrong_kind, span, fmt::format("`{}` is an open file and has no copy", name_of(name)));
+  }
 }
 
 /// Assignment copies; arrays are shared until one of the copies is written.

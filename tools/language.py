@@ -189,7 +189,8 @@ def marks_of(case: Case) -> list[str]:
         return [*(f"// expect: {line}".rstrip() for line in prints), *([f"// later: {missing[1]}"] if missing else [])]
     durer = ask(case, answers.ask_durer)
     marks = [f"// expect: {line}".rstrip() for line in lines_of(durer.text)]
-    print(f"{case.name()}: POV-Ray: {oracle.error} (line {oracle.line}); durer: {durer.error}")
+    if durer.error is None or durer.line != oracle.line:
+        print(f"{case.name()}: POV-Ray: {oracle.error} (line {oracle.line}); durer: {durer.error}")
     if durer.error is None:
         return ["// beyond", *marks]
     return [*(["// before"] if durer.line != oracle.line or durer.file != case.file else []), *marks, f"// error: {error_of(case, durer)}"]

@@ -208,8 +208,20 @@ camera { angle 30 < 40 }
 
 //= below version 1.5 one factor is read
 #version 1.0; sphere { 0, 1 scale 2 *3 }
-// beyond
+// error: D0201 at 1:35
 
 //= from version 1.5 on an expression
 #version 1.5; #declare S = sphere { 0, 1 scale 2 *3 } #debug concat(str(max_extent(S).x, 0, 0), "\n")
 // expect: 6
+
+//= below version 1.5 vectors take factors
+#version 1.0; #debug concat(vstr(3, <1 -1 2>, ",", 0, 0), vstr(3, <1 +2 3>, " ", 0, 0), vstr(3, <(1+2) 3 4>, " ", 0, 0), "\n")
+// expect: 1,-1,21 2 33 3 4
+
+//= below version 1.5 operands are factors
+#version 1.0; box { -1 -2 } sphere { <0 0 0> 1 rotate -30*x }
+// error: D0201 at 1:55
+
+//= below version 1.5 parentheses and conditions are full
+#version 1.49; #declare A = (1 + 2) #if (1 + 2 > 2) #debug concat(str(A, 0, 0), "\n") #end
+// expect: 3
