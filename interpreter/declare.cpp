@@ -65,6 +65,7 @@ void Interpreter::store(Value& target, Value value, bool is_element, const Array
 bool Interpreter::assign_number(const ast::Tree& tree, const ast::Declare& node) {
   if (node.value == ast::none || node.subscripts.count > 0 || node.deprecated) return false;
   if (node.place != ast::none) return false;
+  if (additions_ && grammar::SymbolTable::added(node.name)) return false;
   if (!node.semicolon && version() >= 350) return false;
   if (!is_number(tree.exprs[node.value])) return false;
   Slot* slot = node.local ? env_.find_in_scope(node.name, env_.scope()) : env_.find(node.name);

@@ -13,7 +13,7 @@ prelude and the places of the lines as they are in the file. What must come of i
     // error: CODE at LINE:COLUMN   it ends with this diagnostic; lines count from the title
     // beyond                  POV-Ray reports an error here; what is expected is our own
     // before                  POV-Ray fails too, but elsewhere: later in the text or in another file
-    // later: WHAT             POV-Ray does it; we say that we cannot do this yet (D0220)
+    // later: WHAT; WHAT       POV-Ray does it; we say that we cannot do this yet (D0220)
     // each: WORD...           the case stands for many: `@` is one of these words in turn
 
 Files that scenes include or read are in tests/language/files; `verify` needs POV-Ray, `check` does not.
@@ -54,7 +54,7 @@ class Case:
     error: str
     beyond: bool
     before: bool
-    later: str
+    later: tuple[str, ...]
 
     @property
     def recorded(self) -> bool:
@@ -87,7 +87,8 @@ def cases_of(path: Path) -> list[Case]:
                 marks[mark[1]].append(mark[2] or "")
             kept.append(line if inside and not mark else "")
         case = Case(path, lines[start][3:].strip(), start, end, "\n".join(kept).rstrip("\n"), marks["expect"],
-                    next(iter(marks["error"]), ""), "beyond" in marks, "before" in marks, next(iter(marks["later"]), ""))
+                    next(iter(marks["error"]), ""), "beyond" in marks, "before" in marks,
+                    tuple(what.strip() for line in marks["later"] for what in line.split(";")))
         words = [word for line in marks["each"] for word in shlex.split(line)]
         found += [case.standing_for(word) for word in words] if words else [case]
     return found
@@ -113,6 +114,9 @@ def error_of(case: Case, durer: answers.Printed) -> str:
     return f"{code[0] if code else durer.error} at {line}:{durer.column}" if durer.error else ""
 
 
+waiting: set[tuple[Path, int, str]] = set()  # what cases are known to wait for, and do
+
+
 def judge_durer(case: Case) -> str | None:
     """What is wrong, or None."""
     if not case.recorded:
@@ -120,9 +124,11 @@ def judge_durer(case: Case) -> str | None:
     durer = ask(case, answers.ask_durer)
     if lines_of(durer.text) != case.prints:
         return f"printed {lines_of(durer.text)}, expected {case.prints}" + (f"; {durer.error}" if durer.error else "")
-    if case.later:
-        waits = durer.error and NOT_YET in durer.error and case.later in durer.error
-        return None if waits else f"{durer.error or 'no error'}; is `{case.later}` there now? Then it needs no `later`"
+    if NOT_YET in (durer.error or ""):
+        for what in case.later:
+            if what in (durer.error or ""):
+                waiting.add((case.path, case.first, what))
+                return None
     if error_of(case, durer) != case.error:
         return f"{durer.error or 'no error'} ({error_of(case, durer)}), expected {case.error or 'none'}"
     return None
@@ -152,7 +158,11 @@ def judge_all(paths: list[Path], judge) -> int:
             if wrong:
                 failed += 1
                 print(f"{case.name()}\n    {wrong}")
-    print(f"{len(cases)} cases, {failed} fail")
+    if judge is judge_durer:
+        for path, first, what in sorted({(case.path, case.first, what) for case in cases for what in case.later} - waiting):
+            failed += 1
+            print(f"{path.name}:{first + 1}: does not wait for `{what}` any more")
+    print(f"{len(cases)} cases, {failed} fail, {len(waiting)} wait for features")
     return 1 if failed else 0
 
 
@@ -201,7 +211,8 @@ def rows() -> int:
     @functools.cache
     def text_of(where: str) -> str:
         if where.startswith("tests/"):
-            return "\n".join(path.read_text("utf-8") for path in sorted(programs.ROOT.glob(where)))
+            return "\n".join(
+                path.read_text("utf-8", "replace") for path in sorted(programs.ROOT.glob(where)) if path.suffix in (".cpp", ".pov", ".txt"))
         files = [path for path in sorted(FOLDER.iterdir()) if path.name.startswith(f"{where}-")]
         return "\n".join(f"{case.title}\n{case.source}" for path in files for case in cases_of(path))
 
@@ -210,7 +221,8 @@ def rows() -> int:
     missing = []
     for section, row, needle, where in (line.split("\t") for line in lines if line):
         totals[section] += 1
-        if not re.search(rf"(?<!\w){re.escape(needle)}", text_of(where or section)):
+        edge = r"(?<!\w)" if needle[:1].isalnum() else ""
+        if not re.search(edge + re.escape(needle), text_of(where or section)):
             missing.append(f"{section}: {row}: no case has `{needle}`")
     print("\n".join(missing))
     print(", ".join(f"{section}: {count}" for section, count in totals.items()))

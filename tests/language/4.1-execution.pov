@@ -99,7 +99,7 @@ sphere { 0, 1 #if (1) +1 #end } box { 0 #declare Q = 4; 1 }
 
 //= directives in the middle of @
 #declare A = @ #debug concat("fine", "\n")
-// each: 'color_map { [0 rgb 0] #if (1) [1 rgb 1] #end }' 'union { sphere { 0, 1 } #for (I, 1, 2) box { 0, I } #end }' 'array[2] { 1, #if (1) 2 #end }' 'spline { 0, 1 #for (I, 1, 3) I, I*I #end }' 'pigment { #if (1) rgb 1 #else bozo #end }' 'texture { #declare Q = 5; pigment { rgb 1 } finish { #if (0) phong 1 #end ambient 1 } }' 'transform { #if (1) scale 2 #end rotate 3 }'
+// each: 'color_map { [0 rgb 0] #if (1) [1 rgb 1] #end }' 'union { sphere { 0, 1 } #for (I, 1, 2) box { 0, I } #end }' 'spline { 0, 1 #for (I, 1, 3) I, I*I #end }' 'pigment { #if (1) rgb 1 #else bozo #end }' 'texture { #declare Q = 5; pigment { rgb 1 } finish { #if (0) phong 1 #end ambient 1 } }' 'transform { #if (1) scale 2 #end rotate 3 }'
 // expect: fine
 
 //= the limit of parameters

@@ -185,6 +185,7 @@ object { O[0] } sphere { 0, 1 pigment { P[0] } } sphere { 0, 1 texture { T[0] } 
 
 //= a size that is a vector
 #declare A = array[x]
+// error: D0204 at 1:20
 
 //= a size that is a string
 #declare A = array["a"]

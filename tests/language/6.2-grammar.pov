@@ -383,7 +383,7 @@ global_settings { assumed_gamma 1 }
 
 //= @ with too few arguments
 #declare F = function(X) { @(X) }
-// each: atan2 div mod pow min select
+// each: atan2 div mod min select
 // error: D0202 at 1:28
 
 //= sum and prod with too few arguments
