@@ -126,9 +126,9 @@ sphere { 0, 1 @ } #debug "fine\n"
 
 //= pattern @ in pigments
 sphere { 0, 1 pigment { @ color_map { [0 rgb 0] [1 rgb 1] } } } #debug "fine\n"
-// each: agate boxed bozo bumps cells crackle cylindrical dents granite leopard marble onion planar radial ripples spherical spotted waves wood wrinkles 'gradient x' 'spiral1 3' 'spiral2 3' 'quilted control0 0 control1 1' 'julia <0.3,0.4>, 20' 'mandel 20' 'magnet 1 mandel 20' 'magnet 2 julia <0.1,0.2>, 20' 'aoi' 'slope y' 'function { x }' 'pavement' 'tiling 3' 'facets coords 2'
+// each: agate boxed bozo bumps cells crackle cylindrical dents granite leopard marble onion planar radial ripples spherical spotted waves wood wrinkles 'gradient x' 'spiral1 3' 'spiral2 3' 'quilted control0 0 control1 1' 'julia <0.3,0.4>, 20' 'mandel 20' 'magnet 1 mandel 20' 'magnet 2 julia <0.1,0.2>, 20' 'aoi' 'slope y' 'function { x }' 'pavement' 'tiling 3'
 // expect: fine
-// later: `pavement`; `tiling`; `facets`
+// later: `pavement`; `tiling`
 
 //= pattern @ with colours
 sphere { 0, 1 pigment { @ } } #debug "fine\n"
