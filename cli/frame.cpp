@@ -45,7 +45,7 @@ class Render {
     announce();
     const auto frame = read_frame(settings_, text, task_, console_);
     tracer::CompiledScenePtr compiled;
-    if (frame->scene) compiled = tracer::compile(*frame->scene, frame->diagnostics);
+    if (frame->scene) compiled = tracer::compile(*frame->scene, frame->diagnostics, settings_.quality);
     console_.print(frame->diagnostics);
     if (!compiled || frame->diagnostics.has_errors()) return exit_code::error;
     stop_ = &interrupts_set_flag();  // from here on there is something to keep
