@@ -68,6 +68,8 @@ class Builder {
   [[nodiscard]] bool after_entry() const;
   /// True if the last operand is a vector of one component that cannot become more.
   [[nodiscard]] bool made_single_component() const;
+  /// True behind `rgb 1` and the like, or behind an operator there: such expressions may compare.
+  [[nodiscard]] bool after_colour() const;
   /// True if the item before this place is an expression.
   [[nodiscard]] bool after_operand() const;
 

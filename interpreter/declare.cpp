@@ -65,6 +65,7 @@ void Interpreter::store(Value& target, Value value, bool is_element, const Array
 bool Interpreter::quick_assign(const ast::Tree& tree, const ast::Declare& node) {
   if (repeats_ == 0 || node.value == ast::none || node.place != ast::none) return false;
   if (node.subscripts.count > 0 || node.deprecated || !node.semicolon) return false;
+  if (additions_ && grammar::SymbolTable::added(node.name)) return false;
   const auto is_plain = [](const Value* v) {
     return v != nullptr && (v->is_num() || v->get<Shared<Text>>() != nullptr);
   };
@@ -123,7 +124,7 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
   // is still open then. The old value stays visible while the new one is worked out.
   const std::uint32_t scope = env_.scope();
   Slot* const existing = node.local ? env_.find_in_scope(node.name, scope) : env_.find(node.name);
-  if (node.subscripts.count == 0) check_not_function(env_.find(node.name), node.target);
+  if (node.subscripts.count == 0) check_may_change(env_.find(node.name), node.target);
   Value value;
   bool semicolon = node.semicolon;
   if (node.value != ast::none) {
@@ -165,11 +166,6 @@ void Interpreter::assign(const ast::Tree& tree, const ast::Declare& node, Value 
     if (target->get<Shared<UserFunction>>() != nullptr) function_stays(node.name, node.target);
     store(*target, std::move(value), true, array->get(), node.target);
     return;
-  }
-  if (macro_named(node.name) != nullptr) {
-    fail(Code::wrong_kind, node.target,
-         fmt::format("`{}` is a macro and cannot become a variable", name_of(node.name)),
-         "`#undef` it first, or choose another name");
   }
   Slot& slot = existing != nullptr ? *existing : env_.in_scope(node.name, node.local ? scope : 0);
   Value* target = Environment::value_of(&slot);
@@ -361,6 +357,7 @@ void Interpreter::add_argument(const ast::Tree& tree, ast::ExprId arg, bool opti
       if (optional && v == nullptr) return arguments_.push_back(nullptr);
       unknown_name(name->name, e.span);
     }
+    if (!v->is_num()) check_copyable(*v, name->name, e.span);
     if (target->target != nullptr && target->path.empty()) target = target->target;
     Slot& slot = env_.make();
     slot.target = target;

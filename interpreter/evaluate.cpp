@@ -431,7 +431,9 @@ int Interpreter::work_out_vector(const ast::Tree& tree, const ast::Vector& list,
   const std::uint32_t count = list.components.count;
   const ast::ExprId* ids = tree.expr_lists.data() + list.components.first;
   for (std::uint32_t i = 0; i < count; ++i) {
-    if (!tree.exprs[ids[i]].may_expand || !needs_expansion(tree, ids[i], true)) continue;
+    const bool apart =
+        version() < 150 || (tree.exprs[ids[i]].may_expand && needs_expansion(tree, ids[i], true));
+    if (!apart) continue;
     const Num n = read_components(tree, list.components, span);
     std::copy(n.v.begin(), n.v.end(), v);
     return n.length;
@@ -453,7 +455,8 @@ int Interpreter::work_out_vector(const ast::Tree& tree, const ast::Vector& list,
   return static_cast<int>(count);
 }
 
-/// Components of a vector some of which are macro calls: a body may hold `1, 2`.
+/// Components of a vector some of which are macro calls, whose bodies may hold `1, 2`; and those of
+/// the first versions, where `<1 -1 2>` has three.
 Num Interpreter::read_components(const ast::Tree& tree, ast::Range components, Span span) {
   Num n;
   n.length = 0;

@@ -188,12 +188,13 @@ Interpreter::Flow Interpreter::run(const ast::Tree& tree, const ast::Directive& 
 
 Interpreter::Flow Interpreter::run(const ast::Tree& tree, const ast::Directive& d,
                                    const ast::For& node) {
-  const double start = evaluate(tree, node.start, 1).v[0];
-  const double end = evaluate(tree, node.end, 1).v[0];
-  const double step = node.step == ast::none ? 1.0 : evaluate(tree, node.step, 1).v[0];
+  const double start = work_out_float(tree, node.start, "start");
+  const double end = work_out_float(tree, node.end, "end");
+  const double step = node.step == ast::none ? 1.0 : work_out_float(tree, node.step, "step");
   if (std::abs(step) < epsilon) {
     fail(Code::out_of_range, d.span, "the step of `#for` is zero", "give a step other than 0");
   }
+  check_may_change(env_.find(node.name), d.span);
   Slot& slot = env_.for_local(node.name);
   Environment::value_of(&slot)->set(Num(start));
   if (!(step > 0 ? start < end + epsilon : start > end - epsilon)) return Flow::normal;
@@ -314,7 +315,14 @@ void Interpreter::default_block() {
     const Token t = next();
     if (t.kind == Token::Kind::close) return;
     if (t.is(grammar::words::texture)) {
-      default_texture_ = read_texture("texture");
+      const scene::TextureId read = read_texture("texture");
+      if (scene_.textures[read].patterned()) {
+        fail(Code::unexpected_item, t.span, "a default texture cannot be chosen by a pattern");
+      }
+      if (scene_.textures[read].layers.size() > 1) {
+        fail(Code::unexpected_item, t.span, "a default texture has one layer");
+      }
+      default_texture_ = read;
     } else if (t.is(grammar::words::pigment) || t.is(grammar::words::finish) ||
                t.is(grammar::words::normal)) {
       scene::TextureUse use{default_texture_, {}};

@@ -186,6 +186,10 @@ void Interpreter::read_file() {
                          false);
       }
       if (target == nullptr) unexpected(t, "a variable to read into");
+      if (target->defined() && !target->is_num() && target->get<Shared<Text>>() == nullptr) {
+        fail(Code::wrong_kind, t.span,
+             fmt::format("only numbers, vectors and strings are read into; this is {}", kind_name(*target)));
+      }
       const DataFile::Datum datum = file.read();
       if (const auto* bad = std::get_if<DataFile::Bad>(&datum)) {
         fail(Code::evaluation, at, fmt::format("{} in `{}`", bad->what, file.path()));

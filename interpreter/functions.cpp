@@ -32,11 +32,16 @@ std::string argument_count(std::size_t n) {
   return fmt::format("{} argument{}", n, n == 1 ? "" : "s");
 }
 
-/// Functions must be undefined before their names get another meaning, even in an inner scope
-/// (language §4.3).
-void Interpreter::check_not_function(Slot* slot, Span span) {
+/// Functions, macros and open files must be undefined before their names get another meaning, even
+/// in an inner scope (language §4.3).
+void Interpreter::check_may_change(Slot* slot, Span span) {
   const Value* v = Environment::value_of(slot);
-  if (v != nullptr && v->get<Shared<UserFunction>>() != nullptr) function_stays(slot->name, span);
+  if (v == nullptr || v->is_num()) return;
+  if (v->get<Shared<UserFunction>>() != nullptr) function_stays(slot->name, span);
+  if (v->get<MacroRef>() == nullptr && v->get<std::shared_ptr<DataFile>>() == nullptr) return;
+  fail(Code::wrong_kind, span,
+       fmt::format("`{}` is {} and cannot become a variable", name_of(slot->name), kind_name(*v)),
+       fmt::format("`#undef {}` first, or choose another name", name_of(slot->name)));
 }
 
 void Interpreter::function_stays(SymbolId name, Span span) {

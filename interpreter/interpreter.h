@@ -318,6 +318,7 @@ class Interpreter {
   const Value& callee(const ast::Tree& tree, ast::ExprId id);
   Num call_value(const Value& v, const ast::Tree& tree, const ast::Expr& call, int length);
   [[nodiscard]] static Value copy_of(const Value& v);
+  void check_copyable(const Value& v, SymbolId name, Span span);
   void append_text(const ast::Tree& tree, ast::ExprId id, Text& out, bool file_name = false);
   [[nodiscard]] static SymbolId text_function(const ast::Tree& tree, ast::ExprId id);
   void decode_literal(std::string_view bytes, Span span, bool file_name, Text& out);
@@ -327,7 +328,7 @@ class Interpreter {
   class FunctionReader;
   friend class FunctionReader;
   Value read_function(Span span);
-  void check_not_function(Slot* slot, Span span);
+  void check_may_change(Slot* slot, Span span);
   [[noreturn]] void function_stays(SymbolId name, Span span);
   std::vector<SymbolId> read_parameters();
   functions::FunctionRef read_scene_function();

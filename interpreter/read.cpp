@@ -224,7 +224,7 @@ bool Interpreter::ends_expression(const Frame& f, std::uint32_t pos, bool full) 
 /// nothing that could continue it follows. Takes it and says which; `none` otherwise.
 ast::ExprId Interpreter::take_plain(const ast::Tree*& tree, bool full) {
   Frame& f = frames_.back();
-  if (!f.has_items() || f.flatten) return ast::none;
+  if (!f.has_items() || f.flatten || (version() < 150 && !full)) return ast::none;
   if (unread_.size() > unread_base_) {
     // It has been looked at already: then it stands before what the frame delivers next.
     const Token& seen = unread_.back();
@@ -363,6 +363,7 @@ Num Interpreter::read_num(int length) {
   if (const ast::ExprId id = take_plain(tree, false); id != ast::none) {
     return evaluate(*tree, id, length);
   }
+  if (version() < 150) return read_factor(length);  // as in version 1: `-1 -1` is two numbers
   // The common case: one closed expression, nothing after it.
   const Token t = next();
   if (t.kind == Token::Kind::expr && !flatten_context()) {

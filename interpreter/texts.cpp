@@ -30,6 +30,7 @@ Value Interpreter::evaluate_value(const ast::Tree& tree, ast::ExprId id) {
       const Value* v = lookup(tree, id, true);
       if (!v->defined())
         fail(Code::evaluation, e.span, fmt::format("`{}` has no value", name_of(name->name)));
+      check_copyable(*v, name->name, e.span);
       return copy_of(*v);
     }
   } else if (array_of(e)) {
@@ -55,6 +56,16 @@ Value Interpreter::take_result(const Operand& result) {
     return text_value(std::move(text));
   }
   return Value(result.number());
+}
+
+void Interpreter::check_copyable(const Value& v, SymbolId name, Span span) {
+  if (v.get<MacroRef>() != nullptr) {
+    fail(Code::wrong_kind, span, fmt::format("`{}` is a macro", name_of(name)),
+         fmt::format("call it: `{}()`", name_of(name)));
+  }
+  if (v.get<std::shared_ptr<DataFile>>() != nullptr) {
+    fail(Code::wrong_kind, span, fmt::format("`{}` is an open file and has no copy", name_of(name)));
+  }
 }
 
 /// Assignment copies; arrays are shared until one of the copies is written.

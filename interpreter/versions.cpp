@@ -52,8 +52,9 @@ void Interpreter::obsolete_directive(const Token& word, std::string_view name) {
     declare_depth_ = outer;
     node.semicolon = accept_raw_punct(';');
     if (!node.semicolon && value.is_num()) missing_semicolon(node, *value.get<Num>());
-    if (node.subscripts.count == 0) check_not_function(env_.find(node.name), node.target);
-    assign(target.tree != nullptr ? *target.tree : *word.tree, node, std::move(value), env_.scope(), env_.find(node.name));
+    if (node.subscripts.count == 0) check_may_change(env_.find(node.name), node.target);
+    assign(target.tree != nullptr ? *target.tree : *word.tree, node, std::move(value), env_.scope(),
+           env_.find(node.name));
   } catch (const Failure&) {
     poison(node.name, 0, true);
     throw;

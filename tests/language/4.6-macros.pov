@@ -20,7 +20,7 @@ global_settings { assumed_gamma 1 }
 
 //= and in the call
 #macro M() 1 #end #declare A = M;
-// beyond
+// error: D0204 at 1:32
 
 //= the body takes part in the expression
 #macro M(a,b) a+b #end
@@ -303,3 +303,53 @@ Show(Ball -2*y, <1,2,3>)
 #end
 // error: D0203 at 3:20
 // error: D0203 at 3:20
+
+//= by reference: @
+#macro M(P) #declare P = 5; #end #declare A = @ M(A) #debug concat(str(A, 0, 0), "\n")
+// each: '1;' '<1,2>;' '<1,2,3>;' '<1,2,3,4>;' 'rgb 1;' '"s"' 'spline { 0, 1 }' 'array[2] { 1, 2 }' 'sphere { 0, 1 }' 'texture { pigment { rgb 1 } }' 'pigment { rgb 1 }' 'transform { scale 2 }' 'finish { phong 1 }'
+// expect: 5
+
+//= by value: @
+#declare V = <7,8,9>; #declare F = function { x } #declare A = 1; #macro M(P) #declare P = 5; #end M(@) #debug concat(str(A, 0, 0), vstr(3, V, ",", 0, 0), "\n")
+// each: A+0 +A (A) -A V.x F(1,2,3) 3 '"s"' 'sphere { 0, 1 }' 'A*1' '<1,2,3>'
+// expect: 17,8,9
+
+//= by reference: an element does not change its type
+#macro M(P) #declare P = "text"; #end #declare A = array[2] { 1, 2 } M(A[1])
+#debug concat(str(A[0], 0, 0), "\n")
+// before
+// expect: 1
+// error: D0204 at 1:22
+
+//= a local of a macro in the argument
+#macro In() #local L = 3; L #end #macro Out(P) #declare P = 6; #debug concat(str(P, 0, 0), "\n") #end Out(In())
+// expect: 6
+
+//= a file as an argument
+#fopen F "data.txt" read #macro M(P) #end M(F)
+// error: D0204 at 1:45
+
+//= @ as argument
+#macro M(P) #debug concat(str(defined(P), 0, 0), "\n") #end M(@)
+// each: 1 '<1,2>' '<1,2,3>' 'rgb 1' '"s"' 'sphere { 0, 1 }' 'texture { pigment { rgb 1 } }' 'pigment { rgb 1 }' 'normal { bumps }' 'finish { phong 1 }' 'color_map { [0 rgb 0] [1 rgb 1] }' 'array[2] { 1, 2 }' 'function { x }' 'spline { 0, 1 }' 'transform { scale 2 }' 'camera { location 0 }' 'interior { ior 1.5 }' 'material { texture { pigment { rgb 1 } } }'
+// expect: 1
+
+//= a macro of map entries
+#macro E(A, B) [A rgb 0] [B rgb 1] #end sphere { 0, 1 pigment { gradient x color_map { E(0, 0.5) E(0.5, 1) } } } #debug "fine\n"
+// expect: fine
+
+//= a macro of modifiers
+#macro T(A) scale A translate x #end #declare O = sphere { 0, 1 T(2) } #debug concat(vstr(3, max_extent(O), ",", 0, 0), "\n")
+// expect: 3,2,2
+
+//= a macro of nothing
+#macro N() #end sphere { 0, 1 N() } N() #debug concat("fine", "\n")
+// expect: fine
+
+//= a parameter named twice
+#macro M(A, A) #debug str(A, 0, 0) #end M(1, 2)
+// expect: 2
+
+//= a reserved word is no macro
+#macro rotate() #end
+// error: D0101 at 1:8
