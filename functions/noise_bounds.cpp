@@ -1,5 +1,6 @@
 // Bounds and derivatives of the scalar noise: what interval and gradient evaluation need.
 #include <array>
+#include <optional>
 
 #include "functions/noise.h"
 #include "functions/noise_cell.h"
@@ -59,10 +60,21 @@ Ball slope_of_smooth_step(const Ball& f) {
   return between(std::min(p, q), std::abs(f.m - 0.5) <= f.r ? 1.5 : std::max(p, q));
 }
 
-/// The interpolated sum over a box inside one cell. Its value is a weighted mean of the corner
-/// functions; its slope along an axis is S' times a weighted mean of their differences plus a
-/// weighted mean of their slopes. The mean value theorem turns the slopes into an enclosure.
-Interval sum_over(const Cell& cell, const Box& box) {
+/// Range and slopes of the interpolated sum over a box inside one cell.
+struct Sum {
+  Interval v;
+  Trend::Slopes d;
+};
+Sum hull(const Sum& a, const Sum& b) {
+  Sum r{durer::hull(a.v, b.v), {}};
+  for (int i = 0; i < 3; ++i) r.d[i] = durer::hull(a.d[i], b.d[i]);
+  return r;
+}
+
+/// The value is a weighted mean of the corner functions; its slope along an axis is S' times a
+/// weighted mean of their differences plus a weighted mean of their slopes. The mean value theorem
+/// turns the slopes into an enclosure of the value.
+Sum sum_over(const Cell& cell, const Box& box) {
   std::array<Linear, 8> corner;
   for (int k = 0; k < 8; ++k) corner[k] = corner_function(cell, k);
   Box s;
@@ -80,6 +92,7 @@ Interval sum_over(const Cell& cell, const Box& box) {
   for (int k = 0; k < 8; ++k) values[k] = over(corner[k], centre);
   Ball mean_value = mix(values, s_centre);
 
+  Sum sum;
   for (int axis = 0; axis < 3; ++axis) {
     const int step = 1 << axis;
     std::array<Ball, 4> difference;
@@ -94,13 +107,16 @@ Interval sum_over(const Cell& cell, const Box& box) {
     const Ball change = mix(difference, s[axis == 0 ? 1 : 0], s[axis == 2 ? 1 : 2]);
     const Ball steepness = slope_of_smooth_step(box[axis]);
     const Ball slope = mix(values, s);
-    const double steepest = (std::abs(change.m) + change.r) * (steepness.m + steepness.r);
-    const double turned = std::abs(change.m * steepness.m + slope.m) + change.r * steepness.m +
-                          (std::abs(change.m) + change.r) * steepness.r + slope.r;
-    mean_value.r += std::min(turned, steepest + std::abs(slope.m) + slope.r) * box[axis].r;
+    const double m = change.m * steepness.m + slope.m;
+    const double r = change.r * steepness.m + (std::abs(change.m) + change.r) * steepness.r + slope.r;
+    const double steepest = (std::abs(change.m) + change.r) * (steepness.m + steepness.r) +
+                            std::abs(slope.m) + slope.r;
+    sum.d[axis] = {std::max(m - r, -steepest), std::min(m + r, steepest)};
+    mean_value.r += std::min(std::abs(m) + r, steepest) * box[axis].r;
   }
-  return narrowed({range.m - range.r, range.m + range.r},
-                  {mean_value.m - mean_value.r, mean_value.m + mean_value.r});
+  sum.v = narrowed({range.m - range.r, range.m + range.r},
+                   {mean_value.m - mean_value.r, mean_value.m + mean_value.r});
+  return sum;
 }
 
 /// Parts of an axis that lie in one cell each, as coordinate of the cell and position in it.
@@ -131,35 +147,78 @@ Interval clamped_noise(const Interval& sum, NoiseGenerator generator) {
 
 }  // namespace
 
-Interval noise(Interval x, Interval y, Interval z, NoiseGenerator generator) {
-  if (x.is_point() && y.is_point() && z.is_point()) {
-    return noise(dvec3(x.lo, y.lo, z.lo), generator);
-  }
+namespace {
+
+/// The sum over a box; nothing where the box spans too many cells, or lies beyond the lattice.
+std::optional<Sum> sum_over_cells(const Interval& x, const Interval& y, const Interval& z,
+                                  NoiseGenerator generator) {
   const double shift = generator == 3 ? 10000000.023157213 : 0.0;
   const AxisParts px = split(x, shift);
   const AxisParts py = split(y, shift);
   const AxisParts pz = split(z, shift);
-  const bool nan = x.nan || y.nan || z.nan;
-  // Beyond the 32-bit lattice the kernel overflows, to NaN at last.
-  const auto far = [](const Interval& a) { return !(a.lo > -2e9 && a.hi < 2e9); };
   const int cells = px.count * py.count * pz.count;
-  if (cells == 0 || cells > max_cells) return {0, 1, nan || far(x) || far(y) || far(z)};
+  if (cells == 0 || cells > max_cells) return std::nullopt;
 
-  Interval sum;
+  Sum sum;
   bool first = true;
   for (int i = 0; i < px.count; ++i) {
     for (int j = 0; j < py.count; ++j) {
       for (int k = 0; k < pz.count; ++k) {
         const Cell cell =
             cell_at(px.lower[i] + 0.5, py.lower[j] + 0.5, pz.lower[k] + 0.5, generator);
-        const Interval part = sum_over(cell, {px.f[i], py.f[j], pz.f[k]});
+        const Sum part = sum_over(cell, {px.f[i], py.f[j], pz.f[k]});
         sum = first ? part : hull(sum, part);
         first = false;
       }
     }
   }
-  Interval r = clamped_noise(sum, generator);
-  r.nan = nan;
+  return sum;
+}
+
+/// Beyond the 32-bit lattice the kernel overflows, to NaN at last.
+bool is_far(const Interval& a) { return !(a.lo > -2e9 && a.hi < 2e9); }
+
+Interval unknown_noise(const Interval& x, const Interval& y, const Interval& z) {
+  return {0, 1, x.nan || y.nan || z.nan || is_far(x) || is_far(y) || is_far(z)};
+}
+
+}  // namespace
+
+Interval noise(Interval x, Interval y, Interval z, NoiseGenerator generator) {
+  if (x.is_point() && y.is_point() && z.is_point()) {
+    return noise(dvec3(x.lo, y.lo, z.lo), generator);
+  }
+  const std::optional<Sum> sum = sum_over_cells(x, y, z, generator);
+  if (!sum) return unknown_noise(x, y, z);
+  Interval r = clamped_noise(sum->v, generator);
+  r.nan = x.nan || y.nan || z.nan;
+  return r;
+}
+
+Trend noise(const Trend& x, const Trend& y, const Trend& z, NoiseGenerator generator) {
+  if (x.v.is_point() && y.v.is_point() && z.v.is_point()) {
+    return noise(dvec3(x.v.lo, y.v.lo, z.v.lo), generator);
+  }
+  const std::optional<Sum> sum = sum_over_cells(x.v, y.v, z.v, generator);
+  if (!sum) {
+    // No slope of the noise is steeper than this (builtin-functions §8 measured 2.5).
+    const Interval any{-4, 4};
+    Trend r(unknown_noise(x.v, y.v, z.v), {});
+    for (int i = 0; i < 3; ++i) r.d[i] = any * x.d[i] + any * y.d[i] + any * z.d[i];
+    return r.v.nan ? Trend::erratic(r.v) : r;
+  }
+  Trend r(clamped_noise(sum->v, generator), {});
+  r.v.nan = x.v.nan || y.v.nan || z.v.nan;
+  const double scale = noise_scale(generator).scale;
+  // Where the value is clamped it is flat.
+  const bool clamped = r.v.lo <= 0 || r.v.hi >= 1;
+  const std::array<const Trend*, 3> arguments{&x, &y, &z};
+  for (int axis = 0; axis < 3; ++axis) {
+    Interval slope = sum->d[axis] * Interval(scale);
+    if (clamped) slope = hull(slope, 0.0);
+    const Trend& a = *arguments[axis];
+    for (int i = 0; i < 3; ++i) r.d[i] += trend_detail::product(slope, a.d[i]);
+  }
   return r;
 }
 

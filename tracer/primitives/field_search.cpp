@@ -1,0 +1,254 @@
+#include "tracer/primitives/field_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace durer::tracer {
+namespace {
+
+/// NaN counts as outside.
+int sign_of(double g) { return g <= 0 ? -1 : 1; }
+
+}  // namespace
+
+FieldSearch::FieldSearch(const FunctionField& field, const Ray& ray, double t_from, double t_to,
+                         double least)
+    : field_(field),
+      ray_(ray),
+      inverse_(1.0 / ray.d.x, 1.0 / ray.d.y, 1.0 / ray.d.z),
+      t_from_(t_from),
+      t_to_(t_to),
+      workspace_(function_workspace(field.generator())) {
+  const double length = glm::length(ray.d);
+  least_ = least / length;
+  fine_ = 1e-8 * glm::length(field.half()) / length;
+}
+
+void FieldSearch::settle(int sign, double t) {
+  if (!started_) {
+    started_ = true;
+    if (t_from_ <= stretch_.from) report(stretch_.from, sign);
+  } else if (sign_ != 0 && sign_ != sign) {
+    report(t, sign);
+  }
+  sign_ = sign;
+}
+
+double FieldSearch::value(double t) {
+  const dvec3 p = ray_.at(t);
+  return (*evaluator_)(std::array{p.x, p.y, p.z}) - field_.threshold();
+}
+
+void FieldSearch::walk(const FieldCell& cell, const dvec3& centre, const dvec3& half, int depth,
+                       double t0, double t1) {
+  if (t1 <= t_from_) return;
+  if (t0 >= t_to_) done_ = true;
+  if (done_) return;
+  if (cell.state != FieldCell::State::mixed) return examine(cell, centre, t0, t1);
+  const FieldCell* children = field_.children(cell, centre, half, depth);
+  // The middle planes that lie between, in the order in which the line crosses them.
+  struct Plane {
+    double t;
+    unsigned bit;
+  };
+  std::array<Plane, 3> planes{};
+  std::size_t count = 0;
+  unsigned child = 0;
+  for (int k = 0; k < 3; ++k) {
+    const unsigned bit = 1U << static_cast<unsigned>(k);
+    if (ray_.d[k] == 0) {
+      if (ray_.o[k] >= centre[k]) child |= bit;
+      continue;
+    }
+    const double t = (centre[k] - ray_.o[k]) * inverse_[k];
+    if ((t <= t0) == (ray_.d[k] > 0)) child |= bit;
+    if (!(t > t0 && t < t1)) continue;
+    std::size_t at = count++;
+    for (; at > 0 && planes[at - 1].t > t; --at) planes[at] = planes[at - 1];
+    planes[at] = {t, bit};
+  }
+  const dvec3 quarter = half * 0.5;
+  double from = t0;
+  for (std::size_t i = 0; i <= count && !done_; ++i) {
+    const double to = i < count ? planes[i].t : t1;
+    const dvec3 at = centre + dvec3((child & 1) != 0 ? quarter.x : -quarter.x,
+                                    (child & 2) != 0 ? quarter.y : -quarter.y,
+                                    (child & 4) != 0 ? quarter.z : -quarter.z);
+    if (from < to) walk(children[child], at, quarter, depth + 1, from, to);
+    if (i < count) child ^= planes[i].bit;
+    from = to;
+  }
+}
+
+/// Looks for changes of sign in the part t0 … t1 of the line, which lies in the cell.
+void FieldSearch::examine(const FieldCell& cell, const dvec3& centre, double t0, double t1) {
+  using State = FieldCell::State;
+  if (cell.state == State::inside) return settle(-1, t0);
+  if (cell.state == State::outside) return settle(1, t0);
+
+  if (tape_ != cell.tape) {
+    tape_ = cell.tape;
+    evaluator_.emplace(*tape_, workspace_);
+  }
+  // The linear bounds of the cell, along the line: m + t · slope ± error.
+  const double error = static_cast<double>(cell.error);
+  const dvec3 g(cell.slope[0], cell.slope[1], cell.slope[2]);
+  const dvec3 s(cell.spread[0], cell.spread[1], cell.spread[2]);
+  const double m = cell.value + glm::dot(g, ray_.o - centre);
+  const double slope = glm::dot(g, ray_.d);
+  double spread = std::numeric_limits<double>::infinity();
+  double begin = t0;
+  double end = t1;
+  double limit = std::numeric_limits<double>::infinity();
+  if (std::isfinite(error)) {
+    spread = glm::dot(s, abs(ray_.d));
+    if (slope != 0) {
+      const double half_band = error / std::abs(slope);
+      const double middle = -m / slope;
+      if (middle + half_band <= t0) return settle(slope > 0 ? 1 : -1, t0);
+      if (middle - half_band >= t1) return settle(slope > 0 ? -1 : 1, t0);
+      if (middle - half_band > t0) {
+        begin = middle - half_band;
+        settle(slope > 0 ? -1 : 1, t0);
+      }
+      limit = middle + half_band;
+      end = std::min(end, limit);
+    } else if (std::abs(m) > error) {
+      return settle(m > 0 ? 1 : -1, t0);
+    }
+  }
+
+  if (!(std::abs(slope) > spread)) {
+    const double ga = value(begin);
+    settle(sign_of(ga), begin);
+    const Interval slopes = std::isfinite(spread) ? Interval{slope - spread, slope + spread}
+                                                  : Interval::entire();
+    return resolve({begin, ga, end, value(end), slopes});
+  }
+  // One root at most.
+  const int rising = slope > 0 ? 1 : -1;
+  if (sign_ == 0) {
+    const int sign = sign_of(value(std::clamp(t_from_, t0, t1)));
+    if (sign == rising) {
+      if (!(t_from_ > t0)) settle(sign, t0);
+      started_ = true;
+      return void(sign_ = sign);
+    }
+    settle(sign, t0);
+  }
+  if (sign_ == rising) return;
+  const Rise rise{begin,           end,    limit, -m / slope, std::abs(slope), spread,
+                  double(rising)};
+  if (const auto t = solve(rise)) settle(rising, *t);
+}
+
+/// The root of a function whose slopes are known to be positive: interval Newton steps narrow the
+/// bracket, secants choose where to look.
+std::optional<double> FieldSearch::solve(const Rise& rise) {
+  const double least = rise.slope - rise.spread;
+  const double most = rise.slope + rise.spread;
+  double lo = rise.begin;
+  double hi = rise.limit;
+  double t = std::clamp(rise.first, rise.begin, rise.end);
+  double last_t = 0;
+  double last_v = 0;
+  for (int i = 0; i < 60; ++i) {
+    const double v = rise.direction * value(t);
+    if (v != v) return std::nullopt;
+    if (v > 0) {
+      lo = std::max(lo, t - v / least);
+      hi = std::min(hi, t - v / most);
+    } else {
+      lo = std::max(lo, t - v / most);
+      hi = std::min(hi, t - v / least);
+      if (lo > rise.end || (t == rise.end && v < 0)) return std::nullopt;
+    }
+    double steepness = rise.slope;
+    double tolerance = 1e-4 * fine_;
+    if (i > 0) {
+      steepness = std::clamp((v - last_v) / (t - last_t), least, most);
+      tolerance = fine_;
+    }
+    double next = std::clamp(t - v / steepness, lo, std::max(lo, hi));
+    if (std::abs(next - t) <= tolerance) return std::min(next, rise.end);
+    if (i > 12) next = lo + (hi - lo) / 2;  // slopes that vary wildly
+    last_t = t;
+    last_v = v;
+    t = std::min(next, rise.end);
+    if (t == last_t) return t;
+  }
+  return t;
+}
+
+Trend FieldSearch::trend_over(double a, double b) const {
+  const dvec3 p = ray_.at(a);
+  const dvec3 q = ray_.at(b);
+  std::array<Interval, 3> box;
+  for (int k = 0; k < 3; ++k) {
+    const double pad = 1e-15 * (std::abs(p[k]) + std::abs(q[k]));
+    box[static_cast<std::size_t>(k)] = {std::min(p[k], q[k]) - pad, std::max(p[k], q[k]) + pad};
+  }
+  return functions::evaluate_trend(*tape_, box, workspace_);
+}
+
+/// Settles the signs along a piece in which several roots may lie.
+void FieldSearch::resolve(Piece piece) {
+  const double length = piece.b - piece.a;
+  const int before = sign_of(piece.ga);
+  const int after = sign_of(piece.gb);
+  const auto decided = [&] {
+    const double steepest = std::max(std::abs(piece.slope.lo), std::abs(piece.slope.hi));
+    if (before == after && std::abs(piece.ga) + std::abs(piece.gb) > steepest * length) return true;
+    if (!(piece.slope.lo > 0) && !(piece.slope.hi < 0)) return false;
+    if (before != after) settle(after, bracketed_root(piece));
+    return true;
+  };
+  if (decided()) return;
+  if (length < least_) {
+    if (before != after) settle(after, bracketed_root(piece));
+    return;
+  }
+  const Trend trend = trend_over(piece.a, piece.b);
+  if (!trend.v.nan) {
+    const double threshold = field_.threshold();
+    if (before == after && (trend.v.lo > threshold || trend.v.hi <= threshold)) return;
+    Interval slope;
+    for (std::size_t k = 0; k < 3; ++k) {
+      slope += trend_detail::product(trend.d[k], ray_.d[static_cast<int>(k)]);
+    }
+    if (!slope.nan) {
+      piece.slope = narrowed(piece.slope, slope);
+      if (decided()) return;
+    }
+  }
+  const double middle = piece.a + length / 2;
+  const double g = value(middle);
+  resolve({piece.a, piece.ga, middle, g, piece.slope});
+  if (!done_) resolve({middle, g, piece.b, piece.gb, piece.slope});
+}
+
+/// A change of sign between the ends, by false position with halved weights (the Illinois rule);
+/// by bisection where that is slow, as at jumps.
+double FieldSearch::bracketed_root(const Piece& piece) {
+  double a = piece.a;
+  double b = piece.b;
+  double ga = piece.ga;
+  double gb = piece.gb;
+  const int before = sign_of(ga);
+  int last_side = 0;
+  for (int i = 0; i < 100 && b - a > 1e-4 * fine_; ++i) {
+    double t = a - ga * (b - a) / (gb - ga);
+    if (i >= 20 || !(t > a && t < b)) t = a + (b - a) / 2;
+    if (!(t > a && t < b)) break;
+    const double g = value(t);
+    if (g == 0) return t;
+    const int side = sign_of(g) == before ? -1 : 1;
+    (side < 0 ? a : b) = t;
+    (side < 0 ? ga : gb) = g;
+    if (side == last_side) (side < 0 ? gb : ga) /= 2;
+    last_side = side;
+  }
+  return a + (b - a) / 2;
+}
+
+}  // namespace durer::tracer
