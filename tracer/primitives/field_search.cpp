@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 namespace durer::tracer {
 namespace {
@@ -101,7 +102,7 @@ void FieldSearch::examine(const FieldCell& cell, const dvec3& centre, double t0,
   double end = t1;
   double limit = std::numeric_limits<double>::infinity();
   if (std::isfinite(error)) {
-    spread = glm::dot(s, abs(ray_.d));
+    spread = glm::dot(s, glm::abs(ray_.d));
     if (slope != 0) {
       const double half_band = error / std::abs(slope);
       const double middle = -m / slope;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 namespace durer::tracer {
 namespace {
@@ -78,7 +79,7 @@ const FieldCell* FunctionField::split(const FieldCell& cell, const dvec3& centre
 void FunctionField::examine(FieldCell& cell, const dvec3& centre, const dvec3& half, int depth,
                             functions::Workspace& workspace) const {
   // A hair wider, because the ray's points are rounded.
-  const dvec3 reach = half * (1 + 1e-9) + glm::dvec3(1e-12) * (abs(centre.x) + abs(centre.y) + abs(centre.z));
+  const dvec3 reach = half * (1 + 1e-9) + dvec3(1e-13 * glm::length(centre));
   const std::array<Interval, 3> box{Interval{centre.x - reach.x, centre.x + reach.x},
                                     Interval{centre.y - reach.y, centre.y + reach.y},
                                     Interval{centre.z - reach.z, centre.z + reach.z}};

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "scene/function_surface.h"
 #include "tracer/primitives/function_field.h"
 #include "tracer/primitives/typed_store.h"
 
