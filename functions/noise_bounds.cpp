@@ -8,9 +8,12 @@
 namespace durer::functions {
 namespace {
 
-/// Covers the rounding of the value and the hair's breadth by which the cells of generators 1 and 2
-/// overlap below zero (1e-10 times a gradient below 10).
-constexpr double pad = 1e-8;
+/// Covers the rounding of the value, the hair's breadth by which the cells of generators 1 and 2
+/// overlap below zero (1e-10 times a gradient below 10), and slivers.
+constexpr double pad = 3e-8;
+/// A box that reaches into a cell by less than this is taken to end at its border: boxes are often
+/// aligned with the lattice. Value and gradient are continuous there, and change little beyond.
+constexpr double sliver = 4e-9;
 /// A box over more cells is bounded by the range of the noise: nothing better would come out.
 constexpr int max_cells = 8;
 
@@ -111,7 +114,7 @@ Sum sum_over(const Cell& cell, const Box& box) {
     const double r = change.r * steepness.m + (std::abs(change.m) + change.r) * steepness.r + slope.r;
     const double steepest = (std::abs(change.m) + change.r) * (steepness.m + steepness.r) +
                             std::abs(slope.m) + slope.r;
-    sum.d[axis] = {std::max(m - r, -steepest), std::min(m + r, steepest)};
+    sum.d[axis] = {std::max(m - r, -steepest) - pad, std::min(m + r, steepest) + pad};
     mean_value.r += std::min(std::abs(m) + r, steepest) * box[axis].r;
   }
   sum.v = narrowed({range.m - range.r, range.m + range.r},
@@ -127,8 +130,10 @@ struct AxisParts {
 };
 AxisParts split(const Interval& x, double shift) {
   AxisParts parts;
-  const double first = std::floor(x.lo + shift);
-  const double last = std::floor(x.hi + shift);
+  double first = std::floor(x.lo + shift);
+  double last = std::floor(x.hi + shift);
+  if (last > first && x.hi + shift - last < sliver) --last;
+  if (last > first && first + 1 - (x.lo + shift) < sliver) ++first;
   if (!(last - first < max_cells) || !(std::abs(first) < 1e9)) return parts;
   parts.count = static_cast<int>(last - first) + 1;
   for (int i = 0; i < std::min(parts.count, max_cells); ++i) {

@@ -7,6 +7,9 @@
 namespace durer::tracer {
 namespace {
 
+/// Samples are cheaper than bounds: those are made anew after so many halvings.
+constexpr int halvings = 3;
+
 /// NaN counts as outside.
 int sign_of(double g) { return g <= 0 ? -1 : 1; }
 
@@ -42,10 +45,15 @@ double FieldSearch::value(double t) {
 
 void FieldSearch::walk(const FieldCell& cell, const dvec3& centre, const dvec3& half, int depth,
                        double t0, double t1) {
-  if (t1 <= t_from_) return;
+  if (t1 <= t_from_) return void(sign_ = 0);  // it may change there
   if (t0 >= t_to_) done_ = true;
   if (done_) return;
   if (cell.state != FieldCell::State::mixed) return examine(cell, centre, t0, t1);
+  const Band band = clip(cell, centre, t0, t1);
+  if (band.empty) return;
+  t0 = band.begin;
+  t1 = band.end;
+  if (t1 <= t_from_) return void(sign_ = 0);
   const FieldCell* children = field_.children(cell, centre, half, depth);
   // The middle planes that lie between, in the order in which the line crosses them.
   struct Plane {
@@ -81,6 +89,37 @@ void FieldSearch::walk(const FieldCell& cell, const dvec3& centre, const dvec3& 
   }
 }
 
+/// The part of t0 … t1 where the linear bounds of the cell, m + t · slope ± error along the line,
+/// leave the sign open. Signs before it are settled.
+FieldSearch::Band FieldSearch::clip(const FieldCell& cell, const dvec3& centre, double t0,
+                                    double t1) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Band band{t0, t1, infinity, 0, 0, false};
+  const double error = static_cast<double>(cell.error);
+  if (!std::isfinite(error)) return band;
+  const dvec3 g(cell.slope[0], cell.slope[1], cell.slope[2]);
+  const double m = cell.value + glm::dot(g, ray_.o - centre);
+  band.slope = glm::dot(g, ray_.d);
+  const auto one_sign = [&](int sign) {
+    band.empty = true;
+    settle(sign, t0);
+    return band;
+  };
+  if (band.slope == 0) return std::abs(m) > error ? one_sign(m > 0 ? 1 : -1) : band;
+  const int rising = band.slope > 0 ? 1 : -1;
+  const double half = error / std::abs(band.slope);
+  band.middle = -m / band.slope;
+  if (band.middle + half <= t0) return one_sign(rising);
+  if (band.middle - half >= t1) return one_sign(-rising);
+  if (band.middle - half > t0) {
+    band.begin = band.middle - half;
+    settle(-rising, t0);
+  }
+  band.limit = band.middle + half;
+  band.end = std::min(t1, band.limit);
+  return band;
+}
+
 /// Looks for changes of sign in the part t0 … t1 of the line, which lies in the cell.
 void FieldSearch::examine(const FieldCell& cell, const dvec3& centre, double t0, double t1) {
   using State = FieldCell::State;
@@ -91,40 +130,26 @@ void FieldSearch::examine(const FieldCell& cell, const dvec3& centre, double t0,
     tape_ = cell.tape;
     evaluator_.emplace(*tape_, workspace_);
   }
-  // The linear bounds of the cell, along the line: m + t · slope ± error.
-  const double error = static_cast<double>(cell.error);
-  const dvec3 g(cell.slope[0], cell.slope[1], cell.slope[2]);
-  const dvec3 s(cell.spread[0], cell.spread[1], cell.spread[2]);
-  const double m = cell.value + glm::dot(g, ray_.o - centre);
-  const double slope = glm::dot(g, ray_.d);
+  const Band band = clip(cell, centre, t0, t1);
+  if (band.empty) return;
+  const double begin = band.begin;
+  const double end = band.end;
+  const double slope = band.slope;
   double spread = std::numeric_limits<double>::infinity();
-  double begin = t0;
-  double end = t1;
-  double limit = std::numeric_limits<double>::infinity();
-  if (std::isfinite(error)) {
-    spread = glm::dot(s, glm::abs(ray_.d));
-    if (slope != 0) {
-      const double half_band = error / std::abs(slope);
-      const double middle = -m / slope;
-      if (middle + half_band <= t0) return settle(slope > 0 ? 1 : -1, t0);
-      if (middle - half_band >= t1) return settle(slope > 0 ? -1 : 1, t0);
-      if (middle - half_band > t0) {
-        begin = middle - half_band;
-        settle(slope > 0 ? -1 : 1, t0);
-      }
-      limit = middle + half_band;
-      end = std::min(end, limit);
-    } else if (std::abs(m) > error) {
-      return settle(m > 0 ? 1 : -1, t0);
-    }
+  if (std::isfinite(cell.error)) {
+    spread = glm::dot(dvec3(cell.spread[0], cell.spread[1], cell.spread[2]), glm::abs(ray_.d));
   }
 
   if (!(std::abs(slope) > spread)) {
-    const double ga = value(begin);
+    const double ga = begin == last_t_ && tape_ == last_tape_ ? last_g_ : value(begin);
     settle(sign_of(ga), begin);
     const Interval slopes = std::isfinite(spread) ? Interval{slope - spread, slope + spread}
                                                   : Interval::entire();
-    return resolve({begin, ga, end, value(end), slopes});
+    const double gb = value(end);
+    last_t_ = end;
+    last_g_ = gb;
+    last_tape_ = tape_;
+    return resolve({begin, ga, end, gb, slopes}, 0);
   }
   // One root at most.
   const int rising = slope > 0 ? 1 : -1;
@@ -138,8 +163,8 @@ void FieldSearch::examine(const FieldCell& cell, const dvec3& centre, double t0,
     settle(sign, t0);
   }
   if (sign_ == rising) return;
-  const Rise rise{begin,           end,    limit, -m / slope, std::abs(slope), spread,
-                  double(rising)};
+  const Rise rise{begin,           end,    band.limit,    band.middle,
+                  std::abs(slope), spread, double(rising)};
   if (const auto t = solve(rise)) settle(rising, *t);
 }
 
@@ -192,14 +217,27 @@ Trend FieldSearch::trend_over(double a, double b) const {
   return functions::evaluate_trend(*tape_, box, workspace_);
 }
 
-/// Settles the signs along a piece in which several roots may lie.
-void FieldSearch::resolve(Piece piece) {
+/// Same sign at both ends: true if the slopes between do not suffice to reach zero.
+bool FieldSearch::stays_clear(const Piece& piece) {
+  const double height = sign_of(piece.ga) > 0 ? 1 : -1;
+  const double ga = height * piece.ga;
+  const double gb = height * piece.gb;
+  const double down = height > 0 ? piece.slope.lo : -piece.slope.hi;  // steepest descent from a
+  const double up = height > 0 ? piece.slope.hi : -piece.slope.lo;    // steepest ascent to b
+  if (down >= 0) return ga > 0;
+  if (up <= 0) return gb > 0;
+  // Where the line that falls from a meets the line that rises to b.
+  return ga * up - gb * down + down * up * (piece.b - piece.a) > 0;
+}
+
+/// Settles the signs along a piece in which several roots may lie. Samples are cheaper than bounds,
+/// so bounds are made anew only after some halvings.
+void FieldSearch::resolve(Piece piece, int depth) {
   const double length = piece.b - piece.a;
   const int before = sign_of(piece.ga);
   const int after = sign_of(piece.gb);
   const auto decided = [&] {
-    const double steepest = std::max(std::abs(piece.slope.lo), std::abs(piece.slope.hi));
-    if (before == after && std::abs(piece.ga) + std::abs(piece.gb) > steepest * length) return true;
+    if (before == after && stays_clear(piece)) return true;
     if (!(piece.slope.lo > 0) && !(piece.slope.hi < 0)) return false;
     if (before != after) settle(after, bracketed_root(piece));
     return true;
@@ -209,23 +247,25 @@ void FieldSearch::resolve(Piece piece) {
     if (before != after) settle(after, bracketed_root(piece));
     return;
   }
-  const Trend trend = trend_over(piece.a, piece.b);
-  if (!trend.v.nan) {
-    const double threshold = field_.threshold();
-    if (before == after && (trend.v.lo > threshold || trend.v.hi <= threshold)) return;
-    Interval slope;
-    for (std::size_t k = 0; k < 3; ++k) {
-      slope += trend_detail::product(trend.d[k], ray_.d[static_cast<int>(k)]);
-    }
-    if (!slope.nan) {
-      piece.slope = narrowed(piece.slope, slope);
-      if (decided()) return;
+  if (depth % halvings == halvings - 1 || !piece.slope.is_bounded()) {
+    const Trend trend = trend_over(piece.a, piece.b);
+    if (!trend.v.nan) {
+      const double threshold = field_.threshold();
+      if (before == after && (trend.v.lo > threshold || trend.v.hi <= threshold)) return;
+      Interval slope;
+      for (std::size_t k = 0; k < 3; ++k) {
+        slope += trend_detail::product(trend.d[k], ray_.d[static_cast<int>(k)]);
+      }
+      if (!slope.nan) {
+        piece.slope = narrowed(piece.slope, slope);
+        if (decided()) return;
+      }
     }
   }
   const double middle = piece.a + length / 2;
   const double g = value(middle);
-  resolve({piece.a, piece.ga, middle, g, piece.slope});
-  if (!done_) resolve({middle, g, piece.b, piece.gb, piece.slope});
+  resolve({piece.a, piece.ga, middle, g, piece.slope}, depth + 1);
+  if (!done_) resolve({middle, g, piece.b, piece.gb, piece.slope}, depth + 1);
 }
 
 /// A change of sign between the ends, by false position with halved weights (the Illinois rule);

@@ -38,13 +38,22 @@ class FieldSearch {
   void settle(int sign, double t);
   [[nodiscard]] double value(double t);
   void examine(const FieldCell& cell, const dvec3& centre, double t0, double t1);
+  struct Band {
+    double begin, end;  // where a root may lie
+    double limit;       // the same as `end`, if the cell went on
+    double middle;      // where it is likely
+    double slope;       // likely slope along the line
+    bool empty;
+  };
+  Band clip(const FieldCell& cell, const dvec3& centre, double t0, double t1);
   /// Part of the line with the values at its ends and the slopes between them.
   struct Piece {
     double a, ga;
     double b, gb;
     Interval slope;
   };
-  void resolve(Piece piece);
+  void resolve(Piece piece, int depth);
+  [[nodiscard]] static bool stays_clear(const Piece& piece);
   [[nodiscard]] Trend trend_over(double a, double b) const;
   struct Rise {
     double begin, end;     // where to look
@@ -71,6 +80,10 @@ class FieldSearch {
   functions::Workspace& workspace_;
   const functions::Function* tape_ = nullptr;
   std::optional<functions::Evaluator<double>> evaluator_;
+  /// The value at the end of the last piece, where the next one may begin.
+  double last_t_ = std::numeric_limits<double>::quiet_NaN();
+  double last_g_ = 0;
+  const functions::Function* last_tape_ = nullptr;
   Stretch stretch_{};
   bool (*take_)(void* context, double t, int sign) = nullptr;
   void* context_ = nullptr;

@@ -104,8 +104,8 @@ void FunctionField::examine(FieldCell& cell, const dvec3& centre, const dvec3& h
   }
   known = known && std::isfinite(steepness) && std::isfinite(variation);
   const bool smooth = known && variation <= smoothness * smoothness * steepness;
-  if (!smooth && depth < depth_limit) return void(cell.state = State::mixed);
-  cell.state = smooth ? State::smooth : State::rough;
+  cell.state = smooth ? State::smooth : depth < depth_limit ? State::mixed : State::rough;
+  cell.error = std::numeric_limits<float>::infinity();
   if (!known) return;
   cell.value = functions::evaluate(*cell.tape, std::array{centre.x, centre.y, centre.z}, workspace) -
                threshold_;
@@ -114,7 +114,6 @@ void FunctionField::examine(FieldCell& cell, const dvec3& centre, const dvec3& h
     error += static_cast<double>(cell.spread[static_cast<std::size_t>(k)]) * reach[k];
   }
   cell.error = rounded_up(error);
-  if (!smooth) return;
   // The linear bounds may settle what the range could not.
   double swing = static_cast<double>(cell.error);
   for (int k = 0; k < 3; ++k) {
