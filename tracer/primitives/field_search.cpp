@@ -51,9 +51,13 @@ void FieldSearch::walk(const FieldCell& cell, const dvec3& centre, const dvec3& 
   if (cell.state != FieldCell::State::mixed) return examine(cell, centre, t0, t1);
   const Band band = clip(cell, centre, t0, t1);
   if (band.empty) return;
+  const int behind = band.end < t1 ? (band.slope > 0 ? 1 : -1) : 0;  // the sign there, if known
   t0 = band.begin;
   t1 = band.end;
-  if (t1 <= t_from_) return void(sign_ = 0);
+  if (t1 <= t_from_) {
+    started_ = true;
+    return void(sign_ = behind);
+  }
   const FieldCell* children = field_.children(cell, centre, half, depth);
   // The middle planes that lie between, in the order in which the line crosses them.
   struct Plane {
@@ -87,6 +91,7 @@ void FieldSearch::walk(const FieldCell& cell, const dvec3& centre, const dvec3& 
     if (i < count) child ^= planes[i].bit;
     from = to;
   }
+  if (!done_ && behind != 0) settle(behind, t1);
 }
 
 /// The part of t0 … t1 where the linear bounds of the cell, m + t · slope ± error along the line,
