@@ -4,9 +4,12 @@
 
 #include "functions/noise.h"
 #include "functions/noise_cell.h"
+#include "functions/simd/noise_bound_kernel.h"
 
 namespace durer::functions {
 namespace {
+
+using simd::Ball;
 
 /// Covers the rounding of the value, the hair's breadth by which the cells of generators 1 and 2
 /// overlap below zero (1e-10 times a gradient below 10), and slivers.
@@ -21,13 +24,6 @@ Cell cell_at(double x, double y, double z, NoiseGenerator generator) {
   return generator == 3 ? gradient_cell(gradient_lattice(), x, y, z) : table_cell(x, y, z);
 }
 
-/// A range as middle and radius: shorter formulas than with two ends. Rounding is left to `pad`.
-struct Ball {
-  double m = 0;
-  double r = 0;
-};
-using Box = std::array<Ball, 3>;
-
 /// A linear function of the position in the cell: c[0] + c[1] fx + c[2] fy + c[3] fz.
 using Linear = std::array<double, 4>;
 
@@ -38,30 +34,7 @@ Linear corner_function(const Cell& cell, int corner) {
   const int dz = corner >> 2;
   return {g[0] - dx * g[1] - dy * g[2] - dz * g[3], g[1], g[2], g[3]};
 }
-Ball over(const Linear& f, const Box& b) {
-  return {f[0] + f[1] * b[0].m + f[2] * b[1].m + f[3] * b[2].m,
-          std::abs(f[1]) * b[0].r + std::abs(f[2]) * b[1].r + std::abs(f[3]) * b[2].r};
-}
-/// The weighted mean a + s (b - a) for weights s in [0, 1].
-Ball mix(const Ball& a, const Ball& b, const Ball& s) {
-  return {a.m + s.m * (b.m - a.m),
-          a.r + s.m * (b.r - a.r) + s.r * (std::abs(b.m - a.m) + a.r + b.r)};
-}
-Ball mix(const std::array<Ball, 4>& v, const Ball& s, const Ball& t) {
-  return mix(mix(v[0], v[1], s), mix(v[2], v[3], s), t);
-}
-Ball mix(const std::array<Ball, 8>& v, const Box& s) {
-  return mix(mix({v[0], v[1], v[2], v[3]}, s[0], s[1]), mix({v[4], v[5], v[6], v[7]}, s[0], s[1]),
-             s[2]);
-}
 Ball between(double lo, double hi) { return {(lo + hi) / 2, (hi - lo) / 2}; }
-
-Ball slope_of_smooth_step(const Ball& f) {
-  const auto slope = [](double v) { return 6 * v * (1 - v); };
-  const double p = slope(f.m - f.r);
-  const double q = slope(f.m + f.r);
-  return between(std::min(p, q), std::abs(f.m - 0.5) <= f.r ? 1.5 : std::max(p, q));
-}
 
 /// Range and slopes of the interpolated sum over a box inside one cell.
 struct Sum {
@@ -74,51 +47,17 @@ Sum hull(const Sum& a, const Sum& b) {
   return r;
 }
 
-/// The value is a weighted mean of the corner functions; its slope along an axis is S' times a
-/// weighted mean of their differences plus a weighted mean of their slopes. The mean value theorem
-/// turns the slopes into an enclosure of the value.
-Sum sum_over(const Cell& cell, const Box& box) {
-  std::array<Linear, 8> corner;
-  for (int k = 0; k < 8; ++k) corner[k] = corner_function(cell, k);
-  Box s;
-  Box centre;
-  Box s_centre;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Ball& f = box[axis];
-    s[axis] = between(smooth_step(f.m - f.r), smooth_step(f.m + f.r));
-    centre[axis] = {f.m, 0};
-    s_centre[axis] = {smooth_step(f.m), 0};
-  }
-  std::array<Ball, 8> values;
-  for (int k = 0; k < 8; ++k) values[k] = over(corner[k], box);
-  const Ball range = mix(values, s);
-  for (int k = 0; k < 8; ++k) values[k] = over(corner[k], centre);
-  Ball mean_value = mix(values, s_centre);
-
+Sum sum_over(const Cell& cell, const Ball (&box)[3]) {
+  const simd::NoiseBound b = simd::noise_bound(cell, box);
   Sum sum;
-  for (int axis = 0; axis < 3; ++axis) {
-    const int step = 1 << axis;
-    std::array<Ball, 4> difference;
-    int n = 0;
-    for (int k = 0; k < 8; ++k) {
-      values[k] = {corner[k][axis + 1], 0};
-      if ((k & step) != 0) continue;
-      Linear d;
-      for (int i = 0; i < 4; ++i) d[i] = corner[k + step][i] - corner[k][i];
-      difference[n++] = over(d, box);
-    }
-    const Ball change = mix(difference, s[axis == 0 ? 1 : 0], s[axis == 2 ? 1 : 2]);
-    const Ball steepness = slope_of_smooth_step(box[axis]);
-    const Ball slope = mix(values, s);
-    const double m = change.m * steepness.m + slope.m;
-    const double r = change.r * steepness.m + (std::abs(change.m) + change.r) * steepness.r + slope.r;
-    const double steepest = (std::abs(change.m) + change.r) * (steepness.m + steepness.r) +
-                            std::abs(slope.m) + slope.r;
-    sum.d[axis] = {std::max(m - r, -steepest) - pad, std::min(m + r, steepest) + pad};
-    mean_value.r += std::min(std::abs(m) + r, steepest) * box[axis].r;
+  if (b.lo <= b.hi) {
+    sum.v = {b.lo, b.hi};
+  } else {  // which only rounding can cause
+    sum.v = {b.hi, b.lo};
   }
-  sum.v = narrowed({range.m - range.r, range.m + range.r},
-                   {mean_value.m - mean_value.r, mean_value.m + mean_value.r});
+  for (int axis = 0; axis < 3; ++axis) {
+    sum.d[axis] = {b.slope_lo[axis] - pad, b.slope_hi[axis] + pad};
+  }
   return sum;
 }
 

@@ -45,26 +45,15 @@ double FieldSearch::value(double t) {
 
 void FieldSearch::walk(const FieldCell& cell, const dvec3& centre, const dvec3& half, int depth,
                        double t0, double t1) {
-  if (t1 <= t_from_) return void(sign_ = 0);  // it may change there
-  if (t0 >= t_to_) done_ = true;
-  if (done_) return;
   if (cell.state != FieldCell::State::mixed) return examine(cell, centre, t0, t1);
-  const Band band = clip(cell, centre, t0, t1);
-  if (band.empty) return;
-  const int behind = band.end < t1 ? (band.slope > 0 ? 1 : -1) : 0;  // the sign there, if known
-  t0 = band.begin;
-  t1 = band.end;
-  if (t1 <= t_from_) {
-    started_ = true;
-    return void(sign_ = behind);
-  }
-  const FieldCell* children = field_.children(cell, centre, half, depth);
+  if (const int sign = sign_over(cell, centre, t0, t1); sign != 0) return settle(sign, t0);
+  const FieldBlock& children = field_.children(cell, centre, half, depth);
   // The middle planes that lie between, in the order in which the line crosses them.
   struct Plane {
     double t;
     unsigned bit;
   };
-  std::array<Plane, 3> planes{};
+  std::array<Plane, 3> planes;  // NOLINT: filled as far as counted
   std::size_t count = 0;
   unsigned child = 0;
   for (int k = 0; k < 3; ++k) {
@@ -82,16 +71,41 @@ void FieldSearch::walk(const FieldCell& cell, const dvec3& centre, const dvec3& 
   }
   const dvec3 quarter = half * 0.5;
   double from = t0;
-  for (std::size_t i = 0; i <= count && !done_; ++i) {
+  for (std::size_t i = 0; i <= count; ++i) {
     const double to = i < count ? planes[i].t : t1;
-    const dvec3 at = centre + dvec3((child & 1) != 0 ? quarter.x : -quarter.x,
-                                    (child & 2) != 0 ? quarter.y : -quarter.y,
-                                    (child & 4) != 0 ? quarter.z : -quarter.z);
-    if (from < to) walk(children[child], at, quarter, depth + 1, from, to);
+    if (to <= t_from_) {
+      sign_ = 0;  // it may change there
+    } else if (from >= t_to_ || done_) {
+      done_ = true;
+      return;
+    } else if (from < to) {
+      if ((children.inside >> child & 1U) != 0) {
+        settle(-1, from);
+      } else if ((children.outside >> child & 1U) != 0) {
+        settle(1, from);
+      } else {
+        const dvec3 at = centre + dvec3((child & 1) != 0 ? quarter.x : -quarter.x,
+                                        (child & 2) != 0 ? quarter.y : -quarter.y,
+                                        (child & 4) != 0 ? quarter.z : -quarter.z);
+        walk(children.cells[child], at, quarter, depth + 1, from, to);
+      }
+    }
     if (i < count) child ^= planes[i].bit;
     from = to;
   }
-  if (!done_ && behind != 0) settle(behind, t1);
+}
+
+/// The sign all over t0 … t1 if the linear bounds of the cell tell it, else 0.
+int FieldSearch::sign_over(const FieldCell& cell, const dvec3& centre, double t0,
+                           double t1) const {
+  const auto error = static_cast<double>(cell.error);
+  const dvec3 g(cell.slope[0], cell.slope[1], cell.slope[2]);
+  const double m = cell.value + glm::dot(g, ray_.o - centre);
+  const double slope = glm::dot(g, ray_.d);
+  const double a = m + slope * t0;
+  const double b = m + slope * t1;
+  if (std::min(a, b) > error) return 1;
+  return std::max(a, b) < -error ? -1 : 0;
 }
 
 /// The part of t0 … t1 where the linear bounds of the cell, m + t · slope ± error along the line,

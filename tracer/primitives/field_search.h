@@ -29,6 +29,7 @@ class FieldSearch {
     take_ = [](void* context, double t, int sign) {
       return (*static_cast<Take*>(context))(t, sign);
     };
+    if (stretch.to <= t_from_ || stretch.from >= t_to_) return 0;
     walk(field_.root(), field_.centre(), field_.half(), 0, stretch.from, stretch.to);
     return done_ ? 0 : sign_;
   }
@@ -45,6 +46,8 @@ class FieldSearch {
     double slope;       // likely slope along the line
     bool empty;
   };
+  [[nodiscard]] int sign_over(const FieldCell& cell, const dvec3& centre, double t0,
+                              double t1) const;
   Band clip(const FieldCell& cell, const dvec3& centre, double t0, double t1);
   /// Part of the line with the values at its ends and the slopes between them.
   struct Piece {

@@ -22,10 +22,10 @@ float rounded_up(double v) {
 }
 
 void delete_children(const FieldCell& cell) {
-  const FieldCell* children = cell.children.load(std::memory_order_relaxed);
-  if (children == nullptr) return;
-  for (int i = 0; i < 8; ++i) delete_children(children[i]);
-  delete[] children;
+  const FieldBlock* block = cell.children.load(std::memory_order_relaxed);
+  if (block == nullptr) return;
+  for (const FieldCell& child : block->cells) delete_children(child);
+  delete block;
 }
 
 }  // namespace
@@ -57,22 +57,25 @@ FunctionField::FunctionField(functions::FunctionRef function, double threshold, 
 
 FunctionField::~FunctionField() { delete_children(root_); }
 
-const FieldCell* FunctionField::split(const FieldCell& cell, const dvec3& centre, const dvec3& half,
-                                      int depth) const {
+const FieldBlock& FunctionField::split(const FieldCell& cell, const dvec3& centre,
+                                       const dvec3& half, int depth) const {
   functions::Workspace& workspace = function_workspace(generator_);
-  auto made = std::make_unique<FieldCell[]>(8);
+  auto made = std::make_unique<FieldBlock>();
   const dvec3 quarter = half * 0.5;
-  for (int i = 0; i < 8; ++i) {
+  for (unsigned i = 0; i < 8; ++i) {
     const dvec3 side((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
-    made[i].tape = cell.tape;
-    examine(made[i], centre + side * quarter, quarter, depth + 1, workspace);
+    FieldCell& child = made->cells[i];
+    child.tape = cell.tape;
+    examine(child, centre + side * quarter, quarter, depth + 1, workspace);
+    if (child.state == State::inside) made->inside |= 1U << i;
+    if (child.state == State::outside) made->outside |= 1U << i;
   }
   // Another thread may have been faster; its cells are the same.
-  const FieldCell* expected = nullptr;
+  const FieldBlock* expected = nullptr;
   if (cell.children.compare_exchange_strong(expected, made.get(), std::memory_order_acq_rel)) {
-    return made.release();
+    return *made.release();
   }
-  return expected;
+  return *expected;
 }
 
 /// Fills in what is known about a cell from the bounds of the function over it.

@@ -19,6 +19,8 @@ namespace durer::tracer {
 /// False if some value in the function comes from outside and cannot be bounded over boxes.
 [[nodiscard]] bool can_be_bounded(const functions::Function& f);
 
+struct FieldBlock;
+
 /// Where a function lies in relation to a threshold, over a cell of space.
 struct FieldCell {
   enum class State : std::uint8_t {
@@ -37,7 +39,15 @@ struct FieldCell {
   std::array<float, 3> spread{};
   /// The function, without what makes no difference in this cell.
   const functions::Function* tape = nullptr;
-  mutable std::atomic<const FieldCell*> children{nullptr};  // eight; those of others are higher
+  mutable std::atomic<const FieldBlock*> children{nullptr};
+};
+
+/// The eight parts of a cell: bit k of an index is set where coordinate k is higher.
+struct FieldBlock {
+  // Which of them are decided; a line that passes those need not look at them.
+  unsigned inside = 0;
+  unsigned outside = 0;
+  std::array<FieldCell, 8> cells;
 };
 
 /// A function g(x, y, z) = f - threshold in a box. Cells depend on the function alone, not on who
@@ -58,19 +68,19 @@ class FunctionField {
   [[nodiscard]] const FieldCell& root() const { return root_; }
   [[nodiscard]] dvec3 centre() const { return (box_.lo + box_.hi) * 0.5; }
   [[nodiscard]] dvec3 half() const { return (box_.hi - box_.lo) * 0.5; }
-  /// The eight children of a mixed cell: bit k of the index is set where coordinate k is higher.
-  [[nodiscard]] const FieldCell* children(const FieldCell& cell, const dvec3& centre,
-                                          const dvec3& half, int depth) const {
-    const FieldCell* made = cell.children.load(std::memory_order_acquire);
-    return made != nullptr ? made : split(cell, centre, half, depth);
+  /// The parts of a mixed cell.
+  [[nodiscard]] const FieldBlock& children(const FieldCell& cell, const dvec3& centre,
+                                           const dvec3& half, int depth) const {
+    const FieldBlock* made = cell.children.load(std::memory_order_acquire);
+    return made != nullptr ? *made : split(cell, centre, half, depth);
   }
 
   /// True if the function can be bounded over boxes at all.
   [[nodiscard]] bool has_bounds() const { return has_bounds_; }
 
  private:
-  const FieldCell* split(const FieldCell& cell, const dvec3& centre, const dvec3& half,
-                         int depth) const;
+  const FieldBlock& split(const FieldCell& cell, const dvec3& centre, const dvec3& half,
+                          int depth) const;
   void examine(FieldCell& cell, const dvec3& centre, const dvec3& half, int depth,
                functions::Workspace& workspace) const;
 
