@@ -52,7 +52,11 @@ class Render {
     if (!compiled || frame->diagnostics.has_errors()) return exit_code::error;
     stop_ = &interrupts_set_flag();  // from here on there is something to keep
     console_.print(Stream::render, assumptions(settings_, frame->scene->settings, frame->assumed) + "\n");
-    return trace(*frame->scene, *compiled, *window);
+    const int code = trace(*frame->scene, *compiled, *window);
+    Diagnostics events(frame->sources);
+    tracer::report_events(*compiled, events);
+    console_.print(events);
+    return code;
   }
 
  private:

@@ -73,11 +73,10 @@ Value Interpreter::read_function(Span span) {
   return value_of(compile_function(parameters), false, span);
 }
 
-/// A function of x, y and z that is part of the scene: `{ … }`.
-functions::FunctionRef Interpreter::read_scene_function() {
+/// A function that is part of the scene: `{ … }`.
+functions::FunctionRef Interpreter::read_scene_function(std::span<const SymbolId> parameters) {
   expect_open("function");
-  return std::make_shared<const functions::Function>(
-      compile_function(std::array<SymbolId, 3>{w::x, w::y, w::z}));
+  return std::make_shared<const functions::Function>(compile_function(parameters));
 }
 
 /// `(a, b)`: names, commas between them optional.

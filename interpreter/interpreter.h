@@ -331,7 +331,7 @@ class Interpreter {
   void check_may_change(Slot* slot, Span span);
   [[noreturn]] void function_stays(SymbolId name, Span span);
   std::vector<SymbolId> read_parameters();
-  functions::FunctionRef read_scene_function();
+  functions::FunctionRef read_scene_function(std::span<const SymbolId> parameters);
   Value read_internal_function(Span span);
   Value read_special_function(Span span);
   scene::Pigment read_pattern(const Token& word);
@@ -445,6 +445,17 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   };
   const OperandPlan& operand_plan(const scene::TypeInfo& info);
   std::vector<double> read_operands(const scene::TypeInfo& info, const Token& word);
+  bool read_camera_functions(const CameraSpec& c, std::array<functions::FunctionRef, 3>& out);
+
+  // ---- function_objects.cpp
+  static constexpr int most_traces = 10;  // of max_trace (objects §3)
+  scene::Object read_isosurface(std::uint32_t type, const Token& word);
+  scene::Object read_parametric(std::uint32_t type, const Token& word);
+  scene::Container read_container();
+  double read_positive(const Token& word, double fallback);
+  int read_max_trace(const Token& word);
+  void read_precompute(const Token& word);
+
   // ---- meshes.cpp
   scene::Object read_mesh(std::uint32_t type, const Token& word);
   scene::Object read_mesh2(std::uint32_t type, const Token& word);

@@ -144,6 +144,12 @@ scene::ObjectId Interpreter::read_object(const Token& word) {
     if (const auto it = primitive_words_.find(w::poly); it != primitive_words_.end()) {
       return read_object_modifiers(read_polynomial(it->second, word), word, open.span);
     }
+  } else if (word.word == w::isosurface || word.word == w::parametric) {
+    if (const auto it = primitive_words_.find(word.word); it != primitive_words_.end()) {
+      return read_object_modifiers(word.word == w::isosurface ? read_isosurface(it->second, word)
+                                                              : read_parametric(it->second, word),
+                                   word, open.span);
+    }
   } else if (word.word == w::mesh || word.word == w::mesh2) {
     if (const auto it = primitive_words_.find(w::mesh); it != primitive_words_.end()) {
       return read_object_modifiers(word.word == w::mesh ? read_mesh(it->second, word)
