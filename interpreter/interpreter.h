@@ -26,6 +26,7 @@
 
 namespace durer::interpreter {
 
+class Font;
 class MeshBuilder;
 
 /// "1 argument", "3 arguments"; for messages.
@@ -386,6 +387,12 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   scene::Object read_primitive(std::uint32_t type, const Token& word);
   void read_operand(const scene::Param& param, double* out);
   std::vector<double> read_operands(const scene::TypeInfo& info, const Token& word);
+  void check_operands(const scene::TypeInfo& info, std::span<const double> args, const Token& word);
+  // ---- curves.cpp
+  friend class ObjectReader;
+  scene::Object read_text_object(std::uint32_t type, const Token& word);
+  std::shared_ptr<Font> open_font(const std::string& name, Span span);
+  std::optional<scene::Object> read_listed(std::uint32_t type, const Token& word);
   // ---- meshes.cpp
   scene::Object read_mesh(std::uint32_t type, const Token& word);
   scene::Object read_mesh2(std::uint32_t type, const Token& word);
@@ -550,6 +557,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   std::unordered_map<SymbolId, std::uint32_t> warp_words_;
   std::unordered_map<SymbolId, std::uint32_t> param_words_;
 
+  std::unordered_map<std::string, std::shared_ptr<Font>> fonts_;  // by name
   std::vector<std::uint32_t> streams_;  // states of rand()
   functions::Workspace workspace_;      // of calls of functions
   scene::Scene scene_;

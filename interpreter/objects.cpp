@@ -143,6 +143,12 @@ scene::ObjectId Interpreter::read_object(const Token& word) {
                                    word, open.span);
     }
   } else if (const auto it = primitive_words_.find(word.word); it != primitive_words_.end()) {
+    if (word.word == w::text) {
+      return read_object_modifiers(read_text_object(it->second, word), word, open.span);
+    }
+    if (auto listed = read_listed(it->second, word)) {
+      return read_object_modifiers(std::move(*listed), word, open.span);
+    }
     return read_object_modifiers(read_primitive(it->second, word), word, open.span);
   }
   scene::Object node;
@@ -222,13 +228,19 @@ std::vector<double> Interpreter::read_operands(const scene::TypeInfo& info, cons
       break;
     }
   }
+  check_operands(info, args, word);
+  return args;
+}
+
+/// What the type itself says about complete operands.
+void Interpreter::check_operands(const scene::TypeInfo& info, std::span<const double> args,
+                                 const Token& word) {
   if (info.validate != nullptr) {
     if (const auto problem = info.validate(args)) fail(Code::degenerate, word.span, *problem);
   }
   if (info.doubt != nullptr) {
     if (const auto doubt = info.doubt(args)) warn(Code::degenerate, word.span, *doubt);
   }
-  return args;
 }
 
 scene::Object Interpreter::read_primitive(std::uint32_t type, const Token& word) {

@@ -19,6 +19,7 @@ inline constexpr bool complete =
     arity<Struct>() == std::tuple_size_v<decltype(Fields<Struct>::all)>;
 static_assert(complete<Object>);
 static_assert(complete<ObjectExtras>);
+static_assert(complete<HeightField>);
 static_assert(complete<Mesh>);
 static_assert(complete<TextureUse>);
 static_assert(complete<Root>);
@@ -167,6 +168,9 @@ class Dumper {
     value(name, *x);
   }
   void value(std::string_view name, const std::shared_ptr<const Pigment>& x) {
+    x ? structure(name, *x) : out_.nothing(name);
+  }
+  void value(std::string_view name, const std::shared_ptr<const HeightField>& x) {
     x ? structure(name, *x) : out_.nothing(name);
   }
   void value(std::string_view name, const functions::FunctionRef& x) {

@@ -15,11 +15,14 @@ add_library(durer_geometry STATIC
   csg/gate.cpp
   csg/solid_targets.cpp
   csg/sweep.cpp
+  primitives/blob_field.cpp
   primitives/mesh_shape.cpp
+  primitives/outline.cpp
+  primitives/profile.cpp
   primitives/registry.cpp
   primitives/tube.cpp
   ${primitive_sources})
 add_library(durer::geometry ALIAS durer_geometry)
 # 256-bit vectors are only passed to functions that are inlined: how others would pass them is moot.
 target_compile_options(durer_geometry PRIVATE -Wno-psabi)
-target_link_libraries(durer_geometry PUBLIC durer_common durer::scene PRIVATE embree)
+target_link_libraries(durer_geometry PUBLIC durer_common durer::scene PRIVATE embree fmt::fmt)

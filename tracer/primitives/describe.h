@@ -29,8 +29,15 @@ struct PrimitiveType : scene::TypeInfo {
                                         const Transform& to_world, bool inverted) = nullptr;
   /// Typical and odd examples of those, for the conformance suite.
   std::vector<std::shared_ptr<const scene::Mesh>> (*sample_meshes)() = nullptr;
+  /// The same for objects that have more to them than their operands, and examples; null for all
+  /// others.
+  std::optional<ShapeRef> (*place_whole)(TypeStores& stores, const scene::Object& object,
+                                         const Transform& to_world, bool inverted) = nullptr;
+  std::vector<scene::Object> (*sample_objects)() = nullptr;
   /// Operands of typical and odd examples, for the conformance suite.
   std::vector<std::vector<double>> (*samples)() = nullptr;
+  /// Normals point to whichever side the order of the operands gives, as the oracle's do.
+  bool sides_by_order = false;
 };
 
 /// Places an object that is a primitive, whatever its operands are.
@@ -38,6 +45,7 @@ inline std::optional<ShapeRef> place_object(const PrimitiveType& type, TypeStore
                                             const scene::Object& object, const Transform& to_world,
                                             bool inverted) {
   if (object.extras->mesh != nullptr) return type.place_mesh(stores, object.extras->mesh, to_world, inverted);
+  if (type.place_whole != nullptr) return type.place_whole(stores, object, to_world, inverted);
   return type.place(stores, object.args, to_world, inverted);
 }
 
