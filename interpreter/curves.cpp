@@ -18,10 +18,14 @@ std::optional<scene::Object> Interpreter::read_listed(std::uint32_t type, const 
   o.origin = origin(word.span);
   ObjectReader reader(*this, o, word);
   switch (word.word) {
+    case w::bicubic_patch: reader.bicubic_patch(); break;
     case w::blob: reader.blob(); break;
+    case w::julia_fractal: reader.julia_fractal(); break;
     case w::lathe: reader.lathe(); break;
+    case w::polygon: reader.polygon(); break;
     case w::prism: reader.prism(); break;
     case w::sor: reader.sor(); break;
+    case w::sphere_sweep: reader.sphere_sweep(); break;
     default: return std::nullopt;
   }
   check_operands(*registry_.primitives[type], o.args, word);
@@ -109,6 +113,71 @@ void ObjectReader::sor() {
   args_.assign(1, 0.0);
   points(number("the number of points"), 2);
   if (accept(w::open)) args_[0] = 1;
+}
+
+/// `sphere_sweep { spline n, <x,y,z>, r … [tolerance T] }` (objects §10.10).
+void ObjectReader::sphere_sweep() {
+  args_.assign(2, 0.0);
+  if (accept(w::cubic_spline)) {
+    args_[0] = 1;
+  } else if (accept(w::b_spline)) {
+    args_[0] = 2;
+  } else if (!accept(w::linear_spline)) {
+    in_.unexpected(in_.next(), "`linear_spline`, `cubic_spline` or `b_spline`");
+  }
+  in_.optional_comma();
+  const double count = number("the number of spheres");
+  for (double i = 0; i < std::trunc(count); ++i) {
+    vector();
+    args_.push_back(in_.read_scalar("a radius"));
+    if (i + 1 < std::trunc(count)) in_.optional_comma();
+  }
+  args_[1] = accept(w::tolerance) ? in_.read_scalar("a tolerance") : 1e-6;
+}
+
+/// `polygon { n, <x,y,z> … }` (objects §11.4).
+void ObjectReader::polygon() {
+  args_.push_back(std::trunc(number("the number of points")));
+  points(args_[0], 3);
+}
+
+/// `bicubic_patch { type T u_steps U v_steps V flatness F [uv_vectors …] 16 points }`, or the type
+/// and both steps as bare numbers, as it was written once (objects §11.7).
+void ObjectReader::bicubic_patch() {
+  double type = -1;
+  args_.assign({0, 0, 0, 0, 0, 1, 0, 1, 1, 0, 1});
+  if (in_.starts_number(in_.peek())) {
+    in_.warn(Code::deprecated, word_.span, "the settings of this patch are numbers without words",
+             "write `type T u_steps U v_steps V`");
+    type = number("the type");
+    if (type == 2 || type == 3) args_[2] = number("flatness");
+    args_[0] = number("u_steps");
+    args_[1] = number("v_steps");
+  } else {
+    for (;;) {
+      if (accept(w::type)) {
+        type = number("the type");
+      } else if (accept(w::u_steps)) {
+        args_[0] = std::trunc(number("u_steps"));
+      } else if (accept(w::v_steps)) {
+        args_[1] = std::trunc(number("v_steps"));
+      } else if (accept(w::flatness)) {
+        args_[2] = number("flatness");
+      } else if (accept(w::accuracy)) {
+        number("accuracy");  // without effect in the oracle, too
+      } else {
+        break;
+      }
+    }
+    if (accept(w::uv_vectors)) {
+      args_.resize(3);
+      points(4, 2);
+      in_.optional_comma();
+    }
+  }
+  if (!(type >= 0)) in_.fail(Code::missing_argument, word_.span, "a patch needs `type 0` or `type 1`");
+  if (type > 1) in_.warn(Code::out_of_range, word_.span, "there is no such type of patch; it is taken for type 1");
+  points(16, 3);
 }
 
 }  // namespace durer::interpreter

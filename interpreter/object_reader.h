@@ -15,10 +15,14 @@ class ObjectReader {
   ObjectReader(Interpreter& in, scene::Object& object, const Token& word)
       : in_(in), object_(object), args_(object.args), word_(word) {}
 
+  void bicubic_patch();
   void blob();
+  void julia_fractal();
   void lathe();
+  void polygon();
   void prism();
   void sor();
+  void sphere_sweep();
 
  private:
   double number(const char* what);
@@ -26,6 +30,9 @@ class ObjectReader {
   bool spline_word(double& kind);
   void points(double count, int width);
   void vector();
+  void put_vector(std::size_t at, int width);
+  bool julia_function();
+  void read_power();
   void blob_component(bool rod);
   void blob_modifiers(Transform& moved, scene::TextureUse& texture);
 

@@ -228,7 +228,7 @@ TEST_CASE("primitives: the nearest hit is the first visible crossing", "[conform
       const RayQuery found = s.nearest(ray, t_from, t_to);
       REQUIRE((found.found.store != nullptr) == expected.has_value());
       if (!expected) continue;
-      REQUIRE(found.t_to == Approx(expected->t).epsilon(1e-12));
+      REQUIRE(found.t_to == Approx(expected->t).epsilon(s.type().hit_tolerance));
       REQUIRE(found.found.part == expected->part);
     }
   });

@@ -7,6 +7,7 @@ light_source { <-4, 9, -7> rgb 1 }
 #declare Two = texture { pigment { checker rgb <0.9, 0.6, 0.2> rgb <0.3, 0.5, 0.9> scale 0.2 } finish { phong 0.4 } }
 lathe { linear_spline 5, <0, 0>, <0.8, 0>, <1, 0.5>, <0.3, 1.2>, <0, 1> texture { Two } translate <-2.7, 0, 1.6> }
 lathe { quadratic_spline 6, <0.4, -1>, <0.8, 0>, <0.3, 0.6>, <0.7, 1.2>, <0.5, 1.7>, <0.2, 2>
+  sturm  // without it the oracle loses parts of the surface
   pigment { rgb <0.8, 0.3, 0.3> } rotate <20, 0, 15> translate <-0.3, 0, 2> }
 lathe { cubic_spline 7, <0.5, -1>, <0.1, 0>, <0.9, 0.6>, <1.1, 1.1>, <1, 1.15>, <0.7, 0.6>, <0.3, 0.3>
   texture { pigment { rgb <0.4, 0.8, 0.4> } finish { specular 0.5 } }

@@ -38,6 +38,8 @@ struct PrimitiveType : scene::TypeInfo {
   std::vector<std::vector<double>> (*samples)() = nullptr;
   /// Normals point to whichever side the order of the operands gives, as the oracle's do.
   bool sides_by_order = false;
+  /// By how much a hit may depend on where the search for it began, relative.
+  double hit_tolerance = 1e-12;
 };
 
 /// Places an object that is a primitive, whatever its operands are.
