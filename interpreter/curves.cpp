@@ -20,6 +20,7 @@ std::optional<scene::Object> Interpreter::read_listed(std::uint32_t type, const 
   switch (word.word) {
     case w::bicubic_patch: reader.bicubic_patch(); break;
     case w::blob: reader.blob(); break;
+    case w::height_field: reader.height_field(); break;
     case w::julia_fractal: reader.julia_fractal(); break;
     case w::lathe: reader.lathe(); break;
     case w::polygon: reader.polygon(); break;

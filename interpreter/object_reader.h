@@ -17,6 +17,7 @@ class ObjectReader {
 
   void bicubic_patch();
   void blob();
+  void height_field();
   void julia_fractal();
   void lathe();
   void polygon();
@@ -31,6 +32,8 @@ class ObjectReader {
   void points(double count, int width);
   void vector();
   void put_vector(std::size_t at, int width);
+  scene::HeightField picture_heights();
+  scene::HeightField function_heights();
   bool julia_function();
   void read_power();
   void blob_component(bool rod);

@@ -16,6 +16,7 @@ add_library(durer_geometry STATIC
   csg/solid_targets.cpp
   csg/sweep.cpp
   primitives/blob_field.cpp
+  primitives/height_grid.cpp
   primitives/julia_set.cpp
   primitives/mesh_shape.cpp
   primitives/outline.cpp

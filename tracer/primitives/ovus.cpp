@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "tracer/primitives/around_axis.h"
@@ -139,13 +140,14 @@ struct Ovus::Egg {
     if (!(gap > 0)) return std::nullopt;
     const double half = std::sqrt(gap / a);
     if (part != middle) return dvec2(s - half, s + half);
-    const double in = newton(line, s - half);
-    const double out = newton(line, s + half);
+    const double in = newton(line, s - half, -1);
+    const double out = newton(line, s + half, 1);
     if (!(in < out)) return std::nullopt;
     return dvec2(in, out);
   }
-  /// From outside, steps along the tangent of a convex function never go too far.
-  [[nodiscard]] double newton(const LineAroundY& line, double s) const {
+  /// From outside, where the slope has this sign, steps along the tangent of a convex function never
+  /// go too far; past its lowest point there is nothing.
+  [[nodiscard]] double newton(const LineAroundY& line, double s, double sign) const {
     for (int i = 0; i < 100; ++i) {
       const double rho2 = line.distance2(s);
       const double rho = std::sqrt(rho2);
@@ -153,13 +155,11 @@ struct Ovus::Egg {
       const double f = excess(rho2, y, middle);
       const double d_rho = rho > 0 ? line.across2 * s / rho : 0;
       const double slope = 2 * ((rho + beyond) * d_rho + (y - centre) * line.up);
+      if (!(f > 0)) break;
+      if (!(sign * slope > 0)) return std::numeric_limits<double>::quiet_NaN();
       const double step = f / slope;
-      if (!(f > 0) || !std::isfinite(step)) break;
       s -= step;
       if (std::abs(step) <= 1e-16 * std::abs(s)) break;
-      if (std::abs(step) > 4 * arc / std::sqrt(line.across2 + line.up * line.up)) {
-        return std::numeric_limits<double>::quiet_NaN();  // nothing is there
-      }
     }
     return s;
   }
