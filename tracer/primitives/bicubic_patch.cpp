@@ -4,6 +4,7 @@
 
 #include "tracer/primitives/describe.h"
 #include "tracer/primitives/mesh_shape.h"
+#include "tracer/primitives/shared_data.h"
 
 namespace durer::tracer {
 namespace {
@@ -140,10 +141,13 @@ class Tessellation {
 
 std::optional<ShapeRef> place_patch(TypeStores& stores, std::span<const double> args,
                                     const Transform& to_world, bool /*inverted*/) {
-  auto mesh = std::make_shared<scene::Mesh>();
-  mesh->normals_by_vertex = mesh->uvs_by_vertex = true;
-  Tessellation(args, *mesh);
-  return place_shape(stores, MeshShape(shared_mesh_data(mesh), to_world), to_world, false);
+  auto data = shared_data<MeshData>(args, [](std::span<const double> all) {
+    auto mesh = std::make_shared<scene::Mesh>();
+    mesh->normals_by_vertex = mesh->uvs_by_vertex = true;
+    Tessellation(all, *mesh);
+    return shared_mesh_data(mesh);
+  });
+  return place_shape(stores, MeshShape(std::move(data), to_world), to_world, false);
 }
 
 constexpr std::array<scene::Param, 3> patch_params = {

@@ -6,6 +6,7 @@
 #include "base/roots/bernstein.h"
 #include "tracer/primitives/blob_field.h"
 #include "tracer/primitives/describe.h"
+#include "tracer/primitives/shared_data.h"
 
 namespace durer::tracer {
 namespace {
@@ -155,8 +156,7 @@ enum : std::size_t { threshold_at, components_at };
 constexpr std::array<scene::Param, components_at> blob_params = {
     scene::Param{"threshold", scene::ArgKind::number, "the sum of the fields at the surface"}};
 
-std::optional<ShapeRef> place_blob(TypeStores& stores, std::span<const double> args,
-                                   const Transform& to_world, bool inverted) {
+std::shared_ptr<const BlobData> blob_of(std::span<const double> args) {
   auto data = std::make_shared<BlobData>();
   data->threshold = args[threshold_at];
   data->components = blob_components(args.subspan(components_at));
@@ -166,8 +166,14 @@ std::optional<ShapeRef> place_blob(TypeStores& stores, std::span<const double> a
     data->bounds.add(c.seen);
     data->textured = data->textured || c.texture != scene::none;
   }
-  if (data->bounds.empty()) return std::nullopt;
   data->tree = BoxTree(boxes);
+  return data;
+}
+
+std::optional<ShapeRef> place_blob(TypeStores& stores, std::span<const double> args,
+                                   const Transform& to_world, bool inverted) {
+  auto data = shared_data<BlobData>(args, blob_of);
+  if (data->bounds.empty()) return std::nullopt;
   return place_shape(stores, Blob{std::move(data)}, to_world, inverted);
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include "tracer/accel/box_tree.h"
 #include "tracer/primitives/describe.h"
@@ -81,7 +82,7 @@ struct HeightFieldShape {
     const HeightGrid& grid;
     const Ray& ray;
     Side3 side;
-    double start = 0;
+    bool at_wall = false;  // nothing of the grid has been seen yet: what begins is no surface
 
     [[nodiscard]] double y(double t) const { return ray.o.y + t * ray.d.y; }
 
@@ -103,7 +104,6 @@ struct HeightFieldShape {
       double t_out = t_to;
       const dvec3 corner(grid.columns(), std::numeric_limits<double>::max(), grid.rows());
       if (!BoxTree::clip({{0, -corner.y, 0}, corner}, ray.o, 1.0 / ray.d, t_in, t_out)) return;
-      start = t_in;
       double from = t_in;
       double to = t_out;
       const double low = grid.lowest() - 1;
@@ -123,15 +123,19 @@ struct HeightFieldShape {
         return;
       }
       if (whole && from > t_in && !turn(ray.d.y > 0 ? Side3::below : Side3::above, t_in, 0, false, f)) return;
+      at_wall = !(from > t_in);
       bool on = true;
       grid.walk(
           ray, from, to,
           [&](std::uint32_t i, std::uint32_t j, double a, double b) { return on = cell(i, j, a, b, f); },
           [&](double t, bool below) {
-            return on = turn(below ? Side3::below : Side3::above, t, part_at(t), t > start, f);
+            return on = turn(below ? Side3::below : Side3::above, t, part_at(t), seen_any(), f);
           });
       if (on && whole) turn(Side3::above, t_out, 0, false, f);
     }
+
+    /// False once, where the line comes in through a wall.
+    bool seen_any() { return !std::exchange(at_wall, false); }
 
     [[nodiscard]] std::uint32_t part_at(double t) const {
       const dvec3 p = ray.at(t);
@@ -162,7 +166,7 @@ struct HeightFieldShape {
       const std::uint32_t part = 2 * (j * grid.columns() + i) + (far ? 1 : 0);
       const Side3 side_a = over_a < 0 ? Side3::below : Side3::above;
       const Side3 side_b = over_b < 0 ? Side3::below : Side3::above;
-      if (!turn(side_a, a, part, a > start, f)) return false;
+      if (!turn(side_a, a, part, seen_any(), f)) return false;
       if (side_a == side_b) return true;
       return turn(side_b, a + (b - a) * (over_a / (over_a - over_b)), part, true, f);
     }
@@ -175,21 +179,15 @@ constexpr std::array height_field_params = {
     scene::Param{"water_level", scene::ArgKind::number, "what is lower is not seen, 0 to 1"},
     scene::Param{"smooth", scene::ArgKind::number, "1: shading hides the triangles"}};
 
-std::shared_ptr<const HeightGrid> raised_to(const scene::HeightField& field, double water) {
-  scene::HeightField raised = field;
-  const auto least = static_cast<std::uint16_t>(std::clamp(std::round(water), 0.0, 65535.0));
-  for (std::uint16_t& h : raised.heights) h = std::max(h, least);
-  return std::make_shared<const HeightGrid>(raised);
-}
-
 std::optional<ShapeRef> place_height_field(TypeStores& stores, const scene::Object& object,
                                            const Transform& to_world, bool inverted) {
-  const scene::HeightField& field = *object.extras->heights;
-  if (field.width < 2 || field.height < 2) return std::nullopt;
+  const std::shared_ptr<const scene::HeightField>& field = object.extras->heights;
+  if (field->width < 2 || field->height < 2) return std::nullopt;
   HeightFieldShape shape;
-  shape.grid = std::make_shared<const HeightGrid>(field);
+  shape.grid = shared_height_grid(field);
   shape.water = 65536 * object.args[water_at];
-  shape.raised = shape.water > shape.grid->lowest() ? raised_to(field, shape.water) : shape.grid;
+  const auto least = static_cast<std::uint16_t>(std::clamp(std::round(shape.water), 0.0, 65535.0));
+  shape.raised = least > shape.grid->lowest() ? raised_height_grid(*field, least) : shape.grid;
   shape.smooth = object.args[smooth_at] != 0;
   const dvec3 unit(1.0 / shape.grid->columns(), 1.0 / 65536, 1.0 / shape.grid->rows());
   shape.to_world = Transform::scale(unit).then(to_world);
@@ -213,6 +211,7 @@ constexpr PrimitiveType describe_height_field() {
   type.name = "height_field";
   type.doc = "A landscape over a picture or function.";
   type.params = height_field_params;
+  type.sides_by_order = true;  // smooth normals may look away
   type.make_stores = [] { return make_type_stores<HeightFieldShape>(); };
   type.place = [](TypeStores&, std::span<const double>, const Transform&,
                   bool) -> std::optional<ShapeRef> { return std::nullopt; };

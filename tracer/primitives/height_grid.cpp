@@ -4,22 +4,40 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
+#include <mutex>
 
 namespace durer::tracer {
 
-HeightGrid::HeightGrid(const scene::HeightField& field)
-    : columns_(field.width - 1), rows_(field.height - 1) {
-  heights_.reserve(field.heights.size());
-  for (std::uint32_t row = field.height; row-- > 0;) {
-    const auto begin = field.heights.begin() + static_cast<std::ptrdiff_t>(std::size_t{row} * field.width);
-    heights_.insert(heights_.end(), begin, begin + field.width);
-  }
+std::shared_ptr<const HeightGrid> shared_height_grid(
+    const std::shared_ptr<const scene::HeightField>& field) {
+  static std::mutex mutex;
+  static std::map<const scene::HeightField*, std::weak_ptr<const HeightGrid>> known;
+  const std::lock_guard lock(mutex);
+  // A grid holds its field, so no other can have taken the address while it lives.
+  std::weak_ptr<const HeightGrid>& entry = known[field.get()];
+  if (auto grid = entry.lock()) return grid;
+  auto grid = std::make_shared<const HeightGrid>(field);
+  entry = grid;
+  return grid;
+}
+
+std::shared_ptr<const HeightGrid> raised_height_grid(const scene::HeightField& field,
+                                                     std::uint16_t least) {
+  auto raised = std::make_shared<scene::HeightField>(field);
+  for (std::uint16_t& h : raised->heights) h = std::max(h, least);
+  return std::make_shared<const HeightGrid>(std::move(raised));
+}
+
+HeightGrid::HeightGrid(std::shared_ptr<const scene::HeightField> field)
+    : columns_(field->width - 1), rows_(field->height - 1), field_(std::move(field)) {
   Level cells{columns_, rows_, {}};
   cells.cells.reserve(std::size_t{columns_} * rows_);
   for (std::uint32_t j = 0; j < rows_; ++j) {
     for (std::uint32_t i = 0; i < columns_; ++i) {
-      const std::uint16_t* h = &heights_[std::size_t{j} * field.width + i];
-      const auto [low, high] = std::minmax({h[0], h[1], h[field.width], h[field.width + 1]});
+      const std::uint16_t* h = &field_->heights[std::size_t{rows_ - j} * field_->width + i];
+      const std::uint16_t* up = h - field_->width;
+      const auto [low, high] = std::minmax({h[0], h[1], up[0], up[1]});
       cells.cells.push_back({low, high});
     }
   }

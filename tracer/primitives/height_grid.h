@@ -15,14 +15,15 @@ namespace durer::tracer {
 /// are halved by the diagonal from (i+1, j) to (i, j+1).
 class HeightGrid {
  public:
-  explicit HeightGrid(const scene::HeightField& field);
+  explicit HeightGrid(std::shared_ptr<const scene::HeightField> field);
 
   [[nodiscard]] std::uint32_t columns() const { return columns_; }
   [[nodiscard]] std::uint32_t rows() const { return rows_; }
   [[nodiscard]] double lowest() const { return levels_.back().cells[0].low; }
   [[nodiscard]] double highest() const { return levels_.back().cells[0].high; }
   [[nodiscard]] double height(std::uint32_t i, std::uint32_t j) const {
-    return heights_[static_cast<std::size_t>(j) * (columns_ + 1) + i];
+    // The field begins with the farthest row.
+    return field_->heights[static_cast<std::size_t>(rows_ - j) * (columns_ + 1) + i];
   }
   /// Height of the surface over a point of the grid.
   [[nodiscard]] double height_at(double x, double z) const;
@@ -57,7 +58,7 @@ class HeightGrid {
 
   std::uint32_t columns_;
   std::uint32_t rows_;
-  std::vector<std::uint16_t> heights_;  // nearest row first
+  std::shared_ptr<const scene::HeightField> field_;
   std::vector<Level> levels_;
 };
 
@@ -107,5 +108,12 @@ bool HeightGrid::descend(const Ray& ray, std::uint32_t level, std::uint32_t i, s
   }
   return go(t_out);
 }
+
+/// The grid of a field; made once, as long as anybody holds it.
+[[nodiscard]] std::shared_ptr<const HeightGrid> shared_height_grid(
+    const std::shared_ptr<const scene::HeightField>& field);
+/// That of the same field with nothing lower than `least`.
+[[nodiscard]] std::shared_ptr<const HeightGrid> raised_height_grid(const scene::HeightField& field,
+                                                                   std::uint16_t least);
 
 }  // namespace durer::tracer

@@ -31,7 +31,8 @@ struct JuliaFractal {
     const dvec3 nearest = ray.o + middle * d;
     const double half2 = set.radius * set.radius - glm::dot(nearest, nearest);
     if (!(half2 > 0)) return;
-    const double end = std::min(middle + std::sqrt(half2), to * length);
+    const double end = middle + std::sqrt(half2);
+    const double enough = to * length;  // steps do not depend on it, only how many there are
     double s = std::max(middle - std::sqrt(half2), from * length);
     if (!(s < end)) return;
     constexpr double least = 1e-7;
@@ -42,16 +43,18 @@ struct JuliaFractal {
     } else if (look.inside && !f(s / length, true)) {
       return;  // the ball around the set ends inside of it
     }
-    for (;;) {
+    while (s < enough) {
       const double before = s;
       s += look.step;
-      if (s > end) break;
+      if (s > end) {
+        if (look.inside) f(end / length, false);
+        return;
+      }
       const bool was_inside = look.inside;
       look = set.look(ray.o + s * d, d);
       if (look.inside == was_inside) continue;
       if (!f(boundary(ray.o, d, before, s, was_inside) / length, look.inside)) return;
     }
-    if (look.inside) f(end / length, false);
   }
   void crossings(const Ray& ray, Crossings& out) const {
     each_crossing(ray, -no_hit_depth, no_hit_depth, [&](double t, bool enters) {

@@ -47,6 +47,7 @@ struct Ovus::Egg {
   enum Part : std::uint32_t { lower, middle, upper };
 
   [[nodiscard]] Bounds3 bounds() const {
+    if (arc == 0) return {{-top, bottom - top, -top}, {top, bottom + top, top}};  // one ball
     const double r = std::max({arc - beyond, bottom, top});
     return {{-r, -bottom, -r}, {r, bottom + top, r}};
   }

@@ -1,17 +1,23 @@
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "tracer/primitives/describe.h"
 #include "tracer/primitives/profile.h"
+#include "tracer/primitives/shared_data.h"
 #include "tracer/primitives/swept.h"
 
 namespace durer::tracer {
 namespace {
 
+struct PrismOutline : Outline {
+  using Outline::Outline;
+};
+
 // An outline in the plane of x and z, swept along y: at the same size, or as large as y tells, with
 // its apex at the origin (objects §10.8). Holes by the even-odd rule.
 struct Prism {
-  Outline outline;  // x and z
+  std::shared_ptr<const PrismOutline> outline;  // x and z
   double low = 0;
   double high = 0;
   bool conic = false;
@@ -23,8 +29,8 @@ struct Prism {
     Bounds3 b;
     for (const double y : {low, high}) {
       const double f = conic ? y : 1;
-      b.add({f * outline.lo().x, y, f * outline.lo().y});
-      b.add({f * outline.hi().x, y, f * outline.hi().y});
+      b.add({f * outline->lo().x, y, f * outline->lo().y});
+      b.add({f * outline->hi().x, y, f * outline->hi().y});
     }
     if (conic && low < 0 && high > 0) b.add(dvec3(0.0));
     return b;
@@ -35,12 +41,12 @@ struct Prism {
   }
   [[nodiscard]] bool contains(dvec3 p) const {
     if (!(p.y >= low && p.y < high) || (conic && std::abs(p.y) <= epsilon)) return false;
-    return outline.contains(onto_plane(p));
+    return outline->contains(onto_plane(p));
   }
   // Outward or inward, as the outline turns; both ends look up, as the oracle has it.
   [[nodiscard]] dvec3 normal(dvec3 p, std::uint32_t part) const {
     if (part < swept::first_side) return {0, 1, 0};
-    const Arc& arc = outline.arc(part - swept::first_side);
+    const Arc& arc = outline->arc(part - swept::first_side);
     const dvec2 slope = arc.slope(arc.nearest_to(onto_plane(p)));
     if (!conic) return {slope.y, 0, -slope.x};
     return {slope.y, -(p.x * slope.y - p.z * slope.x) / p.y, -slope.x};
@@ -71,10 +77,10 @@ struct Prism {
     const dvec2 o(ray.o.x, ray.o.z);
     const dvec2 d(ray.d.x, ray.d.z);
     const double d2 = glm::dot(d, d);
-    if (d2 <= 1e-20 * ray.d.y * ray.d.y) return outline.contains(o);
+    if (d2 <= 1e-20 * ray.d.y * ray.d.y) return outline->contains(o);
     const dvec3 line(d.y, -d.x, o.y * d.x - o.x * d.y);
-    outline.each_crossing(line, [&](std::uint32_t i, double w) {
-      sides.push_back({glm::dot(outline.arc(i).at(w) - o, d) / d2, i + swept::first_side});
+    outline->each_crossing(line, [&](std::uint32_t i, double w) {
+      sides.push_back({glm::dot(outline->arc(i).at(w) - o, d) / d2, i + swept::first_side});
     });
     return false;
   }
@@ -85,12 +91,12 @@ struct Prism {
     const dvec3 line(ray.o.z * ray.d.y - ray.o.y * ray.d.z, ray.o.y * ray.d.x - ray.o.x * ray.d.y,
                      ray.o.x * ray.d.z - ray.o.z * ray.d.x);
     if (line == dvec3(0.0)) {
-      return ray.d.y != 0 && outline.contains({ray.d.x / ray.d.y, ray.d.z / ray.d.y});
+      return ray.d.y != 0 && outline->contains({ray.d.x / ray.d.y, ray.d.z / ray.d.y});
     }
     bool inside = false;
     const double t_apex = ray.d.y != 0 ? -ray.o.y / ray.d.y : 0;
-    outline.each_crossing(line, [&](std::uint32_t i, double w) {
-      const dvec2 q = outline.arc(i).at(w);
+    outline->each_crossing(line, [&](std::uint32_t i, double w) {
+      const dvec2 q = outline->arc(i).at(w);
       const dvec2 down(ray.d.x - q.x * ray.d.y, ray.d.z - q.y * ray.d.y);
       const int axis = std::abs(down.x) >= std::abs(down.y) ? 0 : 1;
       const double at = axis == 0 ? ray.o.x : ray.o.z;
@@ -120,8 +126,10 @@ Curves curves_of(std::span<const double> args) {
 std::optional<ShapeRef> place_prism(TypeStores& stores, std::span<const double> args,
                                     const Transform& to_world, bool inverted) {
   Prism prism;
-  prism.outline = Outline(curves_of(args).arcs);
-  if (prism.outline.empty()) return std::nullopt;
+  prism.outline = shared_data<PrismOutline>(args, [](std::span<const double> all) {
+    return std::make_shared<const PrismOutline>(curves_of(all).arcs);
+  });
+  if (prism.outline->empty()) return std::nullopt;
   prism.low = std::min(args[low_at], args[high_at]);
   prism.high = std::max(args[low_at], args[high_at]);
   prism.conic = args[conic_at] != 0;

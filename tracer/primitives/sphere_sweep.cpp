@@ -8,6 +8,7 @@
 #include "base/roots/bernstein.h"
 #include "tracer/accel/box_tree.h"
 #include "tracer/primitives/describe.h"
+#include "tracer/primitives/shared_data.h"
 
 namespace durer::tracer {
 namespace {
@@ -246,8 +247,7 @@ std::vector<Ball> balls_of(std::span<const double> list) {
   return balls;
 }
 
-std::optional<ShapeRef> place_sphere_sweep(TypeStores& stores, std::span<const double> args,
-                                           const Transform& to_world, bool inverted) {
+std::shared_ptr<const SweepData> sweep_of(std::span<const double> args) {
   const auto path = static_cast<Path>(args[path_at]);
   const std::vector<Ball> b = balls_of(args.subspan(balls_at));
   auto data = std::make_shared<SweepData>();
@@ -291,7 +291,12 @@ std::optional<ShapeRef> place_sphere_sweep(TypeStores& stores, std::span<const d
     boxes.push_back({box.lo - dvec3(radius), box.hi + dvec3(radius)});
   }
   data->tree = BoxTree(boxes);
-  return place_shape(stores, SphereSweep{std::move(data)}, to_world, inverted);
+  return data;
+}
+
+std::optional<ShapeRef> place_sphere_sweep(TypeStores& stores, std::span<const double> args,
+                                           const Transform& to_world, bool inverted) {
+  return place_shape(stores, SphereSweep{shared_data<SweepData>(args, sweep_of)}, to_world, inverted);
 }
 
 constexpr PrimitiveType describe_sphere_sweep() {

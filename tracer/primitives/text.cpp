@@ -1,16 +1,22 @@
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "tracer/primitives/describe.h"
+#include "tracer/primitives/shared_data.h"
 #include "tracer/primitives/swept.h"
 
 namespace durer::tracer {
 namespace {
 
+struct GlyphOutline : Outline {
+  using Outline::Outline;
+};
+
 // One character of a text: an outline in the plane of x and y, with thickness along z from 0 on
 // (objects §10.15). The whole `text` is a union of these.
 struct Glyph {
-  Outline outline;
+  std::shared_ptr<const GlyphOutline> outline;
   double depth = 1;
 
   // A negative depth leaves the two faces, and nothing between them.
@@ -19,16 +25,16 @@ struct Glyph {
   [[nodiscard]] Bounds3 bounds() const {
     constexpr double pad = 1e-6;
     Bounds3 b;
-    b.add({outline.lo().x, outline.lo().y, std::min(0.0, depth) - pad});
-    b.add({outline.hi().x, outline.hi().y, std::max(0.0, depth) + pad});
+    b.add({outline->lo().x, outline->lo().y, std::min(0.0, depth) - pad});
+    b.add({outline->hi().x, outline->hi().y, std::max(0.0, depth) + pad});
     return b;
   }
   [[nodiscard]] bool contains(dvec3 p) const {
-    return p.z >= 0 && p.z <= depth && solid() && outline.contains({p.x, p.y});
+    return p.z >= 0 && p.z <= depth && solid() && outline->contains({p.x, p.y});
   }
   [[nodiscard]] dvec3 normal(dvec3 p, std::uint32_t part) const {
     if (part < swept::first_side) return {0, 0, part == swept::low_end ? -1 : 1};
-    const Arc& arc = outline.arc(part - swept::first_side);
+    const Arc& arc = outline->arc(part - swept::first_side);
     const dvec2 slope = arc.slope(arc.nearest_to({p.x, p.y}));
     return {slope.y, -slope.x, 0};
   }
@@ -39,7 +45,7 @@ struct Glyph {
       for (const std::uint32_t end : {swept::low_end, swept::high_end}) {
         const double t = ((end == swept::low_end ? 0 : depth) - ray.o.z) / ray.d.z;
         const dvec3 p = ray.at(t);
-        if (outline.contains({p.x, p.y})) f(Crossing{t, 0, end, Side::sheet, true});
+        if (outline->contains({p.x, p.y})) f(Crossing{t, 0, end, Side::sheet, true});
       }
       return;
     }
@@ -51,10 +57,10 @@ struct Glyph {
     const dvec2 d(ray.d.x, ray.d.y);
     const double d2 = glm::dot(d, d);
     if (d2 <= 1e-20 * ray.d.z * ray.d.z) {
-      inside = outline.contains(o);
+      inside = outline->contains(o);
     } else {
-      outline.each_crossing({d.y, -d.x, o.y * d.x - o.x * d.y}, [&](std::uint32_t i, double w) {
-        sides.push_back({glm::dot(outline.arc(i).at(w) - o, d) / d2, i + swept::first_side});
+      outline->each_crossing({d.y, -d.x, o.y * d.x - o.x * d.y}, [&](std::uint32_t i, double w) {
+        sides.push_back({glm::dot(outline->arc(i).at(w) - o, d) / d2, i + swept::first_side});
       });
     }
     swept::each_crossing(sides, inside, *piece, true, f);
@@ -102,8 +108,11 @@ std::vector<Arc> arcs_of(std::span<const double> list) {
 
 std::optional<ShapeRef> place_text(TypeStores& stores, std::span<const double> args,
                                    const Transform& to_world, bool inverted) {
-  Glyph glyph{Outline(arcs_of(args.subspan(1))), args[0]};
-  if (glyph.outline.empty()) return std::nullopt;
+  auto outline = shared_data<GlyphOutline>(args.subspan(1), [](std::span<const double> list) {
+    return std::make_shared<const GlyphOutline>(arcs_of(list));
+  });
+  if (outline->empty()) return std::nullopt;
+  Glyph glyph{std::move(outline), args[0]};
   return place_shape(stores, std::move(glyph), to_world, inverted);
 }
 
