@@ -22,7 +22,8 @@ struct JuliaFractal {
   }
   [[nodiscard]] dvec3 normal(dvec3 p, std::uint32_t /*part*/) const { return set.normal(p); }
 
-  /// Calls f(t, entering) for every crossing at s >= from (true length), until it returns false.
+  /// Calls f(t, entering, visible) for every crossing from t = from on, until it returns false. Where
+  /// the set is larger than the ball around it, it is cut off, and open.
   template <typename F>
   void each_crossing(const Ray& ray, double from, double to, F&& f) const {
     const double length = glm::length(ray.d);
@@ -37,34 +38,35 @@ struct JuliaFractal {
     if (!(s < end)) return;
     constexpr double least = 1e-7;
     JuliaSet::Look look = set.look(ray.o + s * d, d);
-    if (look.inside && s <= least) {
+    if (look.inside) {
+      const double start = s;
       s += 2 * least;
       look = set.look(ray.o + s * d, d);
-    } else if (look.inside && !f(s / length, true)) {
-      return;  // the ball around the set ends inside of it
+      if (look.inside && !f(start / length, true, false)) return;
     }
     while (s < enough) {
       const double before = s;
       s += look.step;
       if (s > end) {
-        if (look.inside) f(end / length, false);
+        if (look.inside) f(end / length, false, false);
         return;
       }
       const bool was_inside = look.inside;
       look = set.look(ray.o + s * d, d);
       if (look.inside == was_inside) continue;
-      if (!f(boundary(ray.o, d, before, s, was_inside) / length, look.inside)) return;
+      if (!f(boundary(ray.o, d, before, s, was_inside) / length, look.inside, true)) return;
     }
   }
   void crossings(const Ray& ray, Crossings& out) const {
-    each_crossing(ray, -no_hit_depth, no_hit_depth, [&](double t, bool enters) {
-      out.push_back({t, 0, 0, enters ? Side::enter : Side::exit, true});
+    each_crossing(ray, -no_hit_depth, no_hit_depth, [&](double t, bool enters, bool visible) {
+      out.push_back({t, 0, 0, enters ? Side::enter : Side::exit, visible});
       return true;
     });
   }
   [[nodiscard]] std::optional<Nearest> nearest(const Ray& ray, double t_from, double t_to) const {
     std::optional<Nearest> best;
-    each_crossing(ray, 1e-7 / glm::length(ray.d), t_to, [&](double t, bool) {
+    each_crossing(ray, 1e-7 / glm::length(ray.d), t_to, [&](double t, bool, bool visible) {
+      if (!visible) return true;
       if (t >= t_from && t < t_to) best = Nearest{t, 0};
       return t < t_from;
     });

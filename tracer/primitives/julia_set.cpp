@@ -102,13 +102,18 @@ Four JuliaSet::factor(Four q) const {
   }
 }
 
-bool JuliaSet::contains(dvec3 p) const {
+// So the oracle does: its quick loop for functions begins with y in the place of z.
+Four JuliaSet::start(dvec3 p) const {
   Four q = at(p);
-  // So the oracle does: its quick loop for functions begins with y in the place of z.
   if (hypercomplex && function != JuliaFunction::sqr && function != JuliaFunction::cube &&
       function != JuliaFunction::reciprocal) {
     q.z = q.y;
   }
+  return q;
+}
+
+bool JuliaSet::contains(dvec3 p) const {
+  Four q = start(p);
   for (std::uint32_t i = 0; i < iterations; ++i) {
     if (norm2(q) > escape2) return false;
     q = next(q);
@@ -180,7 +185,7 @@ dvec3 JuliaSet::normal_quaternion(Four q) const {
 }
 
 dvec3 JuliaSet::normal(dvec3 p) const {
-  Four q = at(p);
+  Four q = start(p);
   dvec3 n;
   if (!hypercomplex) {
     n = normal_quaternion(q);

@@ -52,6 +52,7 @@ struct JuliaSet {
   [[nodiscard]] dvec3 normal(dvec3 p) const;
 
  private:
+  [[nodiscard]] Four start(dvec3 p) const;
   [[nodiscard]] Look look_quaternion(Four q) const;
   [[nodiscard]] Look look_hypercomplex(Four q, dvec3 d) const;
   [[nodiscard]] dvec3 normal_quaternion(Four q) const;

@@ -143,6 +143,8 @@ struct SphereSweep {
     auto turns = product<2 * N - 1, 2 * N - 1>(change, change);
     for (std::size_t i = 0; i < turns.size(); ++i) turns[i] = 4 * left[i] - turns[i];
     const auto extremes = sign_changes<4 * N - 2>(turns);
+    // Across the line both come at the same place, where that polynomial only touches zero.
+    const auto summits = sign_changes<2 * N - 1>(change);
     const auto edges = sign_changes<2 * N>(depth);
 
     Passage passage{};
@@ -163,10 +165,14 @@ struct SphereSweep {
     bool meets = depth[0] > 0;
     if (meets) visit(0);
     std::size_t e = 0;
+    std::size_t m = 0;
     for (std::size_t k = 0; k <= edges.count; ++k) {
       const double until = k < edges.count ? edges.values[k] : 1;
       for (; e < extremes.count && extremes.values[e] <= until; ++e) {
         if (meets) visit(extremes.values[e]);
+      }
+      for (; m < summits.count && summits.values[m] <= until; ++m) {
+        if (meets) visit(summits.values[m]);
       }
       if (k == edges.count) break;
       visit(until);

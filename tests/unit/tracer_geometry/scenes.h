@@ -33,11 +33,11 @@ inline scene::Object primitive(std::string_view name, std::vector<double> args,
   return o;
 }
 
-/// Primitives that are their operands; meshes and height fields have tests of their own.
+/// Primitives that are their operands, and whose hits do not depend on where the search began.
 inline std::vector<const PrimitiveType*> types_with_samples() {
   std::vector<const PrimitiveType*> types;
   for (const PrimitiveType* type : primitive_types()) {
-    if (type->place_mesh == nullptr && type->place_whole == nullptr) types.push_back(type);
+    if (type->place_mesh == nullptr && type->place_whole == nullptr && type->hit_tolerance < 1e-9) types.push_back(type);
   }
   return types;
 }
