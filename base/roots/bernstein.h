@@ -53,11 +53,16 @@ double only_root(const Bernstein<N>& b) {
     const ValueAndSlope at = value_and_slope<N>(b, x);
     if (at.value == 0) return x;
     ((at.value < 0) == negative_at_0 ? lo : hi) = x;
-    double next = x - at.value / at.slope;
-    if (!(next >= lo && next <= hi)) next = 0.5 * (lo + hi);
-    const double step = std::abs(next - x);
-    x = next;
-    if (step <= 1e-16) break;
+    const double next = x - at.value / at.slope;
+    if (next >= lo && next <= hi) {
+      // The error is about the square of the step: one so small was the last that mattered.
+      const double step = std::abs(next - x);
+      x = next;
+      if (step <= 1e-10) break;
+    } else {
+      x = 0.5 * (lo + hi);
+      if (hi - lo <= 1e-16) break;
+    }
   }
   return x;
 }
