@@ -8,6 +8,7 @@
 #include "cli/diagnostic_json.h"
 #include "cli/guard.h"
 #include "cli/limits.h"
+#include "image/read.h"
 #include "scene/dump.h"
 #include "tracer/compile.h"
 #include "tracer/object_queries.h"
@@ -39,6 +40,7 @@ std::unique_ptr<FrameScene> read_frame(const Settings& settings, const SceneText
   options.queries = frame->queries.get();
   frame->pigments = tracer::make_pigment_queries();
   options.pigments = frame->pigments.get();
+  options.read_picture = image::read;
   options.stdlib_path = stdlib_folder();
   options.fallback_paths = installed_include_folders();
   options.on_debug = [&](std::string_view said) { console.print(Stream::debug, said); };

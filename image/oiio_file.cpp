@@ -64,6 +64,12 @@ Encoded file_of_samples(const char* plugin, const Image& size, const Samples& sa
   return m.module->samples(plugin, size, samples, half, std::move(attributes));
 }
 
+PictureRead picture_of_file(const std::string& path, const std::string& kind) {
+  const Loaded& m = module();
+  if (m.module == nullptr) return {nullptr, m.error};
+  return m.module->read(path, kind);
+}
+
 Attributes curve_attributes(const GammaCurve& curve) {
   switch (curve.kind) {
     case GammaCurve::Kind::linear: return {{"oiio:ColorSpace", "Linear"}};

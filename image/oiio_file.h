@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/picture.h"
 #include "image/codes.h"
 
 namespace durer::image {
@@ -22,6 +23,9 @@ using Attributes = std::vector<std::pair<std::string, std::variant<int, float, s
 /// A file with floating-point samples, `half` or full.
 [[nodiscard]] Encoded file_of_samples(const char* plugin, const Image& size, const Samples& samples,
                                       bool half, Attributes attributes);
+
+/// A picture file of any format that OpenImageIO reads; `kind` as in read().
+[[nodiscard]] PictureRead picture_of_file(const std::string& path, const std::string& kind);
 
 /// The attributes by which readers learn which curve integer codes are in.
 [[nodiscard]] Attributes curve_attributes(const GammaCurve& curve);

@@ -11,6 +11,7 @@ struct OiioModule {
                    Attributes attributes);
   Encoded (*samples)(const char* plugin, const Image& size, const Samples& samples, bool half,
                      Attributes attributes);
+  PictureRead (*read)(const std::string& path, const std::string& kind);
 };
 
 }  // namespace durer::image

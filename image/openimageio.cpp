@@ -5,6 +5,9 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
+#include <memory>
+
 namespace durer::image {
 namespace {
 
@@ -60,9 +63,49 @@ Encoded samples_file(const char* plugin, const Image& size, const Samples& sampl
   return to_bytes(plugin, spec, OIIO::TypeDesc::FLOAT, samples.values.data());
 }
 
+template <typename Sample>
+bool take(OIIO::ImageInput& in, int channels, OIIO::TypeDesc type, std::vector<Sample>& out) {
+  out.resize(in.spec().image_pixels() * static_cast<std::size_t>(channels));
+  return in.read_image(0, 0, 0, channels, type, out.data());
+}
+
+PictureRead read_file(const std::string& path, const std::string& kind) {
+  OIIO::ImageSpec as_stored;
+  as_stored.attribute("oiio:UnassociatedAlpha", 1);  // do not multiply
+  as_stored.attribute("oiio:RawColor", 1);
+  auto in = OIIO::ImageInput::open(path, &as_stored);
+  if (!in && !kind.empty()) {
+    in = OIIO::ImageInput::create(kind);
+    OIIO::ImageSpec found;
+    if (in && !in->open(path, found, as_stored)) return {nullptr, failure(in->geterror()).error.value_or("")};
+  }
+  if (!in) return {nullptr, failure(OIIO::geterror()).error.value_or("")};
+  const OIIO::ImageSpec& spec = in->spec();
+  auto picture = std::make_shared<Picture>();
+  picture->width = static_cast<std::uint32_t>(spec.width);
+  picture->height = static_cast<std::uint32_t>(spec.height);
+  const int channels = std::clamp(spec.nchannels, 1, 4);
+  picture->channels = static_cast<std::uint32_t>(channels);
+  bool whole = false;
+  if (spec.format.is_floating_point()) {
+    picture->bits = 32;
+    whole = take(*in, channels, OIIO::TypeDesc::FLOAT, picture->samples);
+  } else if (spec.format.basesize() > 1) {
+    picture->bits = 16;
+    whole = take(*in, channels, OIIO::TypeDesc::UINT16, picture->codes);
+  } else {
+    std::vector<std::uint8_t> bytes;
+    whole = take(*in, channels, OIIO::TypeDesc::UINT8, bytes);
+    picture->codes.assign(bytes.begin(), bytes.end());
+  }
+  if (!whole) return {nullptr, failure(in->geterror()).error.value_or("")};
+  return {std::move(picture), {}};
+}
+
 }  // namespace
 }  // namespace durer::image
 
 extern "C" const durer::image::OiioModule durer_oiio_module;
 const durer::image::OiioModule durer_oiio_module = {durer::image::codes_file,
-                                                    durer::image::samples_file};
+                                                    durer::image::samples_file,
+                                                    durer::image::read_file};

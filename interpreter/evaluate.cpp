@@ -278,7 +278,7 @@ Formula& Interpreter::formula_for(const ast::Tree& tree, ast::ExprId id) {
 
 const Operand* Interpreter::quick(const ast::Tree& tree, ast::ExprId id, int want) {
   // What runs once is not worth compiling, and a single operand is as quick to look up.
-  if (repeats_ == 0 || tree.exprs[id].height < 2) return nullptr;
+  if (repeats_ == 0 || tree.exprs[id].height < 2 || version() < 150) return nullptr;
   Formula& formula = formula_for(tree, id);
   if (formula.ops.empty()) return nullptr;
   if (formula.calls_functions) workspace_.context.noise_generator = noise_generator();

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "base/picture.h"
 #include "base/source.h"
 #include "scene/object_queries.h"
 #include "scene/pigment_queries.h"
@@ -65,6 +66,8 @@ struct Options {
   scene::ObjectQueries* queries = nullptr;
   /// Evaluates the patterns and pigments of functions; without it they are errors.
   scene::PigmentQueries* pigments = nullptr;
+  /// Reads the pictures of height fields; without it they are errors.
+  PictureReader read_picture;
   /// Receives #debug, #render and #statistics text as it is produced (no newline added).
   std::function<void(std::string_view)> on_debug;
   /// Receives, once the scene is read, one line that says what was taken for granted: "language

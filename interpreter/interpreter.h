@@ -28,6 +28,7 @@
 
 namespace durer::interpreter {
 
+class Font;
 class MeshBuilder;
 
 /// "1 argument", "3 arguments"; for messages.
@@ -423,9 +424,11 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   std::size_t read_numbers(std::span<double> out);
   void read_exponents(std::array<std::size_t, 3>& power, Span span);
   scene::Object read_polynomial(std::uint32_t type, const Token& word);
+  using Reader = scene::Object (Interpreter::*)(std::uint32_t type, const Token& word);
+  [[nodiscard]] static Reader reader_of(SymbolId word);
   scene::ObjectId read_object(const Token& word);
   bool starts_object(const Token& token) const;
-  void check_operands(const scene::TypeInfo& info, const std::vector<double>& args,
+  void check_operands(const scene::TypeInfo& info, std::span<const double> args,
                       const Token& word);
   scene::Object primitive(std::uint32_t type, const Token& word);
   scene::Object read_primitive(std::uint32_t type, const Token& word);
@@ -456,6 +459,11 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   int read_max_trace(const Token& word);
   void read_precompute(const Token& word);
 
+  // ---- curves.cpp
+  friend class ObjectReader;
+  scene::Object read_text_object(std::uint32_t type, const Token& word);
+  std::shared_ptr<Font> open_font(const std::string& name, Span span);
+  scene::Object read_listed(std::uint32_t type, const Token& word);
   // ---- meshes.cpp
   scene::Object read_mesh(std::uint32_t type, const Token& word);
   scene::Object read_mesh2(std::uint32_t type, const Token& word);
@@ -627,6 +635,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   std::unordered_map<SymbolId, std::uint32_t> param_words_;
   std::unordered_map<const scene::TypeInfo*, OperandPlan> operand_plans_;
 
+  std::unordered_map<std::string, std::shared_ptr<Font>> fonts_;  // by name
   std::vector<std::uint32_t> streams_;  // states of rand()
   std::vector<Draw>* peek_ = nullptr;   // what the innermost Peek has seen drawn
   functions::Workspace workspace_;      // of calls of functions

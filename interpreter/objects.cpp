@@ -62,6 +62,44 @@ std::string with_article(std::string_view doc) {
 
 }  // namespace
 
+namespace {
+/// The word of the type that an object of this word is.
+SymbolId type_word(SymbolId word) {
+  switch (word) {
+    case w::cubic:
+    case w::quartic:
+    case w::polynomial: return w::poly;
+    case w::mesh2: return w::mesh;
+    default: return word;
+  }
+}
+}  // namespace
+
+/// Who reads the operands of such an object. Most are bound by the table of their type.
+Interpreter::Reader Interpreter::reader_of(SymbolId word) {
+  switch (word) {
+    case w::isosurface: return &Interpreter::read_isosurface;
+    case w::parametric: return &Interpreter::read_parametric;
+    case w::mesh: return &Interpreter::read_mesh;
+    case w::mesh2: return &Interpreter::read_mesh2;
+    case w::text: return &Interpreter::read_text_object;
+    case w::poly:
+    case w::cubic:
+    case w::quartic:
+    case w::polynomial: return &Interpreter::read_polynomial;
+    case w::bicubic_patch:
+    case w::blob:
+    case w::height_field:
+    case w::julia_fractal:
+    case w::lathe:
+    case w::polygon:
+    case w::prism:
+    case w::sor:
+    case w::sphere_sweep: return &Interpreter::read_listed;
+    default: return &Interpreter::read_primitive;
+  }
+}
+
 bool Interpreter::starts_object(const Token& t) const {
   if (t.kind != Token::Kind::word) return false;
   return t.word == w::object || t.word == w::light_source || is_csg(t.word) ||
@@ -88,7 +126,8 @@ scene::ObjectId Interpreter::read_object(const Token& word) {
     unexpected(open, fmt::format("`{{` after `{}`", name_of(word.word)));
   }
 
-  if (const auto it = primitive_words_.find(word.word); it != primitive_words_.end()) {
+  if (const auto it = primitive_words_.find(word.word);
+      it != primitive_words_.end() && reader_of(word.word) == &Interpreter::read_primitive) {
     std::vector<double> args;
     if (quick_operands(*registry_.primitives[it->second], args, word)) {
       scene::Object o = primitive(it->second, word);
@@ -139,25 +178,8 @@ scene::ObjectId Interpreter::read_object(const Token& word) {
                                                                 : scene::NodeKind::difference;
     return read_object_modifiers(read_csg(kind, word), word, open.span);
   }
-  if (word.word == w::poly || word.word == w::cubic || word.word == w::quartic ||
-      word.word == w::polynomial) {
-    if (const auto it = primitive_words_.find(w::poly); it != primitive_words_.end()) {
-      return read_object_modifiers(read_polynomial(it->second, word), word, open.span);
-    }
-  } else if (word.word == w::isosurface || word.word == w::parametric) {
-    if (const auto it = primitive_words_.find(word.word); it != primitive_words_.end()) {
-      return read_object_modifiers(word.word == w::isosurface ? read_isosurface(it->second, word)
-                                                              : read_parametric(it->second, word),
-                                   word, open.span);
-    }
-  } else if (word.word == w::mesh || word.word == w::mesh2) {
-    if (const auto it = primitive_words_.find(w::mesh); it != primitive_words_.end()) {
-      return read_object_modifiers(word.word == w::mesh ? read_mesh(it->second, word)
-                                                        : read_mesh2(it->second, word),
-                                   word, open.span);
-    }
-  } else if (const auto it = primitive_words_.find(word.word); it != primitive_words_.end()) {
-    return read_object_modifiers(read_primitive(it->second, word), word, open.span);
+  if (const auto it = primitive_words_.find(type_word(word.word)); it != primitive_words_.end()) {
+    return read_object_modifiers((this->*reader_of(word.word))(it->second, word), word, open.span);
   }
   scene::Object node;
   node.kind = scene::NodeKind::unsupported;
@@ -247,7 +269,8 @@ std::vector<double> Interpreter::read_operands(const scene::TypeInfo& info, cons
   return args;
 }
 
-void Interpreter::check_operands(const scene::TypeInfo& info, const std::vector<double>& args,
+/// What the type itself says about complete operands.
+void Interpreter::check_operands(const scene::TypeInfo& info, std::span<const double> args,
                                  const Token& word) {
   if (info.validate != nullptr) {
     if (const auto problem = info.validate(args)) fail(Code::degenerate, word.span, *problem);

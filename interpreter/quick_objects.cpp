@@ -10,7 +10,9 @@ namespace w = grammar::words;
 /// The innermost frame, if what comes next is an item of it as it is written.
 Frame* Interpreter::plain_items() {
   Frame& f = frames_.back();
-  const bool plain = unread_.size() == unread_base_ && f.kind == Frame::Kind::group && !f.flatten;
+  // Before version 1.5 operands end where a factor ends.
+  const bool plain = unread_.size() == unread_base_ && f.kind == Frame::Kind::group &&
+                     !f.flatten && version() >= 150;
   return plain ? &f : nullptr;
 }
 

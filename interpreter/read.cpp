@@ -642,7 +642,9 @@ Num Interpreter::read_colour_num(bool strict) {
 /// if it holds anything else.
 std::optional<Colour> Interpreter::quick_colour_block() {
   Frame& f = frames_.back();
-  if (unread_.size() > unread_base_ || !f.has_items() || f.pos >= f.end) return std::nullopt;
+  if (unread_.size() > unread_base_ || !f.has_items() || f.pos >= f.end || version() < 150) {
+    return std::nullopt;
+  }
   const ast::Tree& tree = *f.tree;
   const ast::Item& block = tree.items[f.pos];
   if (block.kind != ast::ItemKind::braces) return std::nullopt;

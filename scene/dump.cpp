@@ -19,6 +19,7 @@ inline constexpr bool complete =
     arity<Struct>() == std::tuple_size_v<decltype(Fields<Struct>::all)>;
 static_assert(complete<Object>);
 static_assert(complete<ObjectExtras>);
+static_assert(complete<HeightField>);
 static_assert(complete<Mesh>);
 static_assert(complete<Container>);
 static_assert(complete<Isosurface>);
@@ -185,6 +186,9 @@ class Dumper {
   }
   void value(std::string_view name, const dvec2& v) {
     out_.numbers(name, {number_text(v.x), number_text(v.y)});
+  }
+  void value(std::string_view name, const std::shared_ptr<const HeightField>& x) {
+    x ? structure(name, *x) : out_.nothing(name);
   }
   void value(std::string_view name, const functions::FunctionRef& x) {
     x ? out_.word(name, functions::dump(*x)) : out_.nothing(name);

@@ -43,10 +43,19 @@ concept HasFields = requires {
 };
 
 template <>
+struct Fields<HeightField> {
+  static constexpr std::tuple all{field("width", &HeightField::width),
+                                  field("height", &HeightField::height),
+                                  field("heights", &HeightField::heights)};
+};
+
+template <>
 struct Fields<ObjectExtras> {
   static constexpr std::tuple all{field("mesh", &ObjectExtras::mesh),
                                   field("isosurface", &ObjectExtras::isosurface),
                                   field("parametric", &ObjectExtras::parametric),
+                                  field("heights", &ObjectExtras::heights),
+                                  field("part_textures", &ObjectExtras::part_textures, Role::id),
                                   field("interior_texture", &ObjectExtras::interior_texture),
                                   field("clips", &ObjectExtras::clips, Role::id),
                                   field("bounds", &ObjectExtras::bounds, Role::id),

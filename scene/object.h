@@ -10,6 +10,7 @@
 
 #include "base/boxed.h"
 #include "scene/function_surface.h"
+#include "scene/height_field.h"
 #include "scene/mesh.h"
 #include "scene/texture.h"
 
@@ -33,6 +34,9 @@ struct ObjectExtras {
   std::shared_ptr<const Mesh> mesh;  // `mesh`, `mesh2`: instead of `args`
   std::shared_ptr<const Isosurface> isosurface;  // likewise
   std::shared_ptr<const Parametric> parametric;
+  std::shared_ptr<const HeightField> heights;  // `height_field`: besides `args`
+  /// Textures of single parts (blob components), placed with the object.
+  std::vector<TextureId> part_textures;
   TextureUse interior_texture;       // seen when hit from inside; none: same as texture
   std::vector<ObjectId> clips;       // `clipped_by`: a hit survives if inside all of them
   std::vector<ObjectId> bounds;      // `bounded_by`

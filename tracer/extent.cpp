@@ -79,7 +79,7 @@ class Measure {
     if (const auto b = own_box(*o.extras)) return b->transformed(to_world.forward);
     const PrimitiveType& type = *primitive_types()[o.type];
     TypeStores stores = type.make_stores();
-    const auto ref = type.place(stores, o.args, to_world, false);
+    const auto ref = place_object(type, stores, o, {}, to_world, false);
     if (!ref) return std::nullopt;
     return ref->store->surface_bounds(ref->shape);
   }
@@ -124,7 +124,7 @@ class Measure {
     if (own_box(*child.extras)) return inverted ? Bounds3::everything() : box(id, {}, turned);
     const PrimitiveType& type = *primitive_types()[child.type];
     TypeStores stores = type.make_stores();
-    const auto ref = type.place(stores, child.args, child.transform, inverted);
+    const auto ref = place_object(type, stores, child, {}, child.transform, inverted);
     if (!ref || ref->inverted) return Bounds3::everything();
     const Bounds3 own = ref->store->surface_bounds(ref->shape);
     return own.infinite() ? own : box(id, {}, turned);

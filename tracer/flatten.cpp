@@ -162,8 +162,11 @@ class Flattener {
       surface.interior_texture = own.interior_texture;
       surface.double_illuminate = own.double_illuminate;
       surface.uv_mapping = own.uv_mapping;
-      if (object.extras->mesh != nullptr && !object.extras->mesh->textures.empty()) {
-        surface.part_textures = &object.extras->mesh->textures;
+      const std::vector<scene::TextureId>& parts = object.extras->mesh != nullptr
+                                                       ? object.extras->mesh->textures
+                                                       : object.extras->part_textures;
+      if (!parts.empty()) {
+        surface.part_textures = &parts;
         if (!own.uv_mapping) surface.part_transform = own.to_world;
       }
       if (surface.texture.texture == none) surface.texture = {default_texture_, {}};

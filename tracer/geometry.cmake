@@ -20,6 +20,12 @@ add_library(durer_geometry STATIC
   primitives/isosurface_shape.cpp
   primitives/mesh_shape.cpp
   primitives/parametric_shape.cpp
+  primitives/blob_field.cpp
+  primitives/height_grid.cpp
+  primitives/julia_set.cpp
+  primitives/mesh_shape.cpp
+  primitives/outline.cpp
+  primitives/profile.cpp
   primitives/registry.cpp
   primitives/sampled_search.cpp
   primitives/tube.cpp
@@ -27,4 +33,4 @@ add_library(durer_geometry STATIC
 add_library(durer::geometry ALIAS durer_geometry)
 # 256-bit vectors are only passed to functions that are inlined: how others would pass them is moot.
 target_compile_options(durer_geometry PRIVATE -Wno-psabi)
-target_link_libraries(durer_geometry PUBLIC durer_common durer::scene PRIVATE embree)
+target_link_libraries(durer_geometry PUBLIC durer_common durer::scene PRIVATE embree fmt::fmt)

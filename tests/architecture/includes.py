@@ -23,7 +23,7 @@ PUBLIC = {
     "grammar": {"ast.h", "parse.h", "vocabulary.h", "vocabulary.def"},
     "interpreter": {"interpret.h"},
     "tracer": {"compile.h", "render.h", "object_queries.h", "pigment_queries.h"},
-    "image": {"image.h"},
+    "image": {"image.h", "read.h"},
     "cli": set(),
 }
 # Where the headers of a library may be included: paths that begin so.
@@ -34,6 +34,7 @@ LIBRARIES = {
     "oneapi/tbb": ["tracer/film/"],
     "OpenImageIO": ["image/"],
     "CLI/": ["cli/"],
+    "ft2build.h": ["interpreter/font.cpp"],
     "nlohmann/": ["cli/"],
     "catch2": ["tests/support/"],
 }

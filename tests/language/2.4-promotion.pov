@@ -271,7 +271,7 @@ global_settings { assumed_gamma 1 }
 
 //= three where two are wanted
 sphere_sweep { linear_spline 2, 0, 1, x, <1,2,3> }
-// error: D0220 at 1:1
+// error: D0204 at 1:42
 
 //= a vector is no radius
 sphere { 0, <1,2,3> }

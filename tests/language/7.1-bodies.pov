@@ -74,13 +74,11 @@ sphere { 0 }
 // each: 'mesh { triangle { 0, x, y } }' 'mesh2 { vertex_vectors { 3, 0, x, y } face_indices { 1, <0,1,2> } }' 'cubic { <1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,-1> }' 'poly { 2, <1,0,0,0,1,0,0,1,0,-1> }' 'quartic { <1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,-1> }'
 // each: 'union { sphere { 0, 1 } box { 0, 1 } }' 'merge { sphere { 0, 1 } box { 0, 1 } }' 'intersection { sphere { 0, 1 } box { 0, 1 } }' 'difference { sphere { 0, 1 } box { 0, 1 } }' 'light_source { 0, rgb 1 }'
 // expect: fine
-// later: `superellipsoid`
 
 //= numbers of operands first: @
 @ #debug "fine\n"
 // each: 'polygon { 4, 0, x, x+y, y }' 'polygon { 4 0 x x+y y }' 'triangle { 0 x y }' 'mesh2 { vertex_vectors { 3 0 x y } face_indices { 1 <0,1,2> } }'
 // expect: fine
-// later: `polygon`
 
 //= keyword @ takes an expression
 camera { @ } #debug "fine\n"

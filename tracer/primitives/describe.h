@@ -29,19 +29,18 @@ struct PrimitiveType : scene::TypeInfo {
   /// inside (radius 0 and the like).
   std::optional<ShapeRef> (*place)(TypeStores& stores, std::span<const double> args,
                                    const Transform& to_world, bool inverted) = nullptr;
-  /// The same for an object that is a scene::Mesh; null for all others.
-  std::optional<ShapeRef> (*place_mesh)(TypeStores& stores,
-                                        const std::shared_ptr<const scene::Mesh>& mesh,
-                                        const Transform& to_world, bool inverted) = nullptr;
-  /// The same for an object whose operands are functions; null for all others.
-  std::optional<ShapeRef> (*place_extras)(TypeStores& stores, const scene::ObjectExtras& extras,
-                                          const Surroundings& around, const Transform& to_world,
-                                          bool inverted) = nullptr;
-  std::vector<scene::ObjectExtras> (*sample_extras)() = nullptr;
-  /// Typical and odd examples of those, for the conformance suite.
-  std::vector<std::shared_ptr<const scene::Mesh>> (*sample_meshes)() = nullptr;
+  /// The same for an object that is more than its operands (a mesh, functions), and examples of
+  /// such; null for all others.
+  std::optional<ShapeRef> (*place_whole)(TypeStores& stores, const scene::Object& object,
+                                         const Surroundings& around, const Transform& to_world,
+                                         bool inverted) = nullptr;
+  std::vector<scene::Object> (*sample_objects)() = nullptr;
   /// Operands of typical and odd examples, for the conformance suite.
   std::vector<std::vector<double>> (*samples)() = nullptr;
+  /// Normals point to whichever side the order of the operands gives, as the oracle's do.
+  bool sides_by_order = false;
+  /// By how much a hit may depend on where the search for it began, relative.
+  double hit_tolerance = 1e-12;
 };
 
 /// Places an object that is a primitive, whatever its operands are.
@@ -49,10 +48,9 @@ inline std::optional<ShapeRef> place_object(const PrimitiveType& type, TypeStore
                                             const scene::Object& object,
                                             const Surroundings& around, const Transform& to_world,
                                             bool inverted) {
-  if (type.place_extras != nullptr) {
-    return type.place_extras(stores, *object.extras, around, to_world, inverted);
+  if (type.place_whole != nullptr) {
+    return type.place_whole(stores, object, around, to_world, inverted);
   }
-  if (object.extras->mesh != nullptr) return type.place_mesh(stores, object.extras->mesh, to_world, inverted);
   return type.place(stores, object.args, to_world, inverted);
 }
 

@@ -6,7 +6,7 @@ namespace durer::tracer {
 namespace {
 
 /// Two samples: a wavy ball in a box that cuts it, and an open one in a sphere.
-std::vector<scene::ObjectExtras> samples() {
+std::vector<scene::Object> samples() {
   using functions::Op;
   functions::FunctionBuilder b(3);
   const auto x = b.parameter(0);
@@ -26,9 +26,9 @@ std::vector<scene::ObjectExtras> samples() {
   round.container.kind = scene::Container::Kind::sphere;
   round.container.radius = 0.9;
   round.open = true;
-  std::vector<scene::ObjectExtras> all(2);
-  all[0].isosurface = std::make_shared<const scene::Isosurface>(boxed);
-  all[1].isosurface = std::make_shared<const scene::Isosurface>(round);
+  std::vector<scene::Object> all(2);
+  all[0].extras.edit().isosurface = std::make_shared<const scene::Isosurface>(boxed);
+  all[1].extras.edit().isosurface = std::make_shared<const scene::Isosurface>(round);
   return all;
 }
 
@@ -37,13 +37,13 @@ constexpr PrimitiveType isosurface_type() {
   type.name = "isosurface";
   type.doc = "Where a function of x, y and z has a certain value, inside a box or sphere.";
   type.make_stores = [] { return make_type_stores<IsosurfaceShape>(); };
-  type.place_extras = [](TypeStores& stores, const scene::ObjectExtras& extras,
-                         const Surroundings& around, const Transform& to_world, bool inverted) {
+  type.place_whole = [](TypeStores& stores, const scene::Object& object,
+                        const Surroundings& around, const Transform& to_world, bool inverted) {
     return std::optional(place_shape(
-        stores, IsosurfaceShape(shared_isosurface_data(extras.isosurface, around.noise_generator)),
+        stores, IsosurfaceShape(shared_isosurface_data(object.extras->isosurface, around.noise_generator)),
         to_world, inverted));
   };
-  type.sample_extras = &samples;
+  type.sample_objects = &samples;
   type.samples = [] { return std::vector<std::vector<double>>{}; };
   return type;
 }

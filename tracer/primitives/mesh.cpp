@@ -22,14 +22,18 @@ constexpr PrimitiveType mesh_type() {
   type.make_stores = [] { return make_type_stores<MeshShape>(); };
   type.place = [](TypeStores&, std::span<const double>, const Transform&,
                   bool) -> std::optional<ShapeRef> { return std::nullopt; };
-  type.place_mesh = [](TypeStores& stores, const std::shared_ptr<const scene::Mesh>& mesh,
-                       const Transform& to_world, bool inverted) -> std::optional<ShapeRef> {
+  type.place_whole = [](TypeStores& stores, const scene::Object& object, const Surroundings&,
+                        const Transform& to_world, bool inverted) -> std::optional<ShapeRef> {
+    const std::shared_ptr<const scene::Mesh>& mesh = object.extras->mesh;
     // Without an inside there is nothing that could be inverted (objects §8.5).
     return place_shape(stores, MeshShape(shared_mesh_data(mesh), to_world), to_world,
                        inverted && mesh->has_inside());
   };
-  type.sample_meshes = [] {
-    return std::vector{tetrahedron({0.1, 1, 0.2}), tetrahedron(dvec3(0.0))};
+  type.sample_objects = [] {
+    std::vector<scene::Object> all(2);
+    all[0].extras.edit().mesh = tetrahedron({0.1, 1, 0.2});
+    all[1].extras.edit().mesh = tetrahedron(dvec3(0.0));
+    return all;
   };
   type.samples = [] { return std::vector<std::vector<double>>{}; };
   return type;

@@ -6,7 +6,7 @@ namespace durer::tracer {
 namespace {
 
 /// Two samples: a saddle, and a ball cut by its container.
-std::vector<scene::ObjectExtras> samples() {
+std::vector<scene::Object> samples() {
   using functions::Op;
   const auto whole = [](auto make) {
     functions::FunctionBuilder b(2);
@@ -31,9 +31,9 @@ std::vector<scene::ObjectExtras> samples() {
   ball.from = {0, -1.5};
   ball.to = {6.28, 1.5};
   ball.container.hi = {1, 0.8, 1};
-  std::vector<scene::ObjectExtras> all(2);
-  all[0].parametric = std::make_shared<const scene::Parametric>(saddle);
-  all[1].parametric = std::make_shared<const scene::Parametric>(ball);
+  std::vector<scene::Object> all(2);
+  all[0].extras.edit().parametric = std::make_shared<const scene::Parametric>(saddle);
+  all[1].extras.edit().parametric = std::make_shared<const scene::Parametric>(ball);
   return all;
 }
 
@@ -43,14 +43,14 @@ constexpr PrimitiveType parametric_type() {
   type.doc = "The points that three functions of u and v give, inside a box or sphere.";
   type.is_patch = true;
   type.make_stores = [] { return make_type_stores<ParametricShape>(); };
-  type.place_extras = [](TypeStores& stores, const scene::ObjectExtras& extras,
-                         const Surroundings& around, const Transform& to_world, bool) {
+  type.place_whole = [](TypeStores& stores, const scene::Object& object,
+                        const Surroundings& around, const Transform& to_world, bool) {
     // Without an inside there is nothing that could be inverted (objects §8.5).
     return std::optional(place_shape(
-        stores, ParametricShape(shared_parametric_data(extras.parametric, around.noise_generator)),
+        stores, ParametricShape(shared_parametric_data(object.extras->parametric, around.noise_generator)),
         to_world, false));
   };
-  type.sample_extras = &samples;
+  type.sample_objects = &samples;
   type.samples = [] { return std::vector<std::vector<double>>{}; };
   return type;
 }

@@ -62,10 +62,14 @@ struct TextureBlend {
     std::uint32_t texture = 0;  // index into the textures of the object; scene::none: its own
     float weight = 0;
   };
-  std::array<Part, 3> parts;
+  static constexpr std::uint32_t most = 16;
+  std::array<Part, most> parts;
   std::uint32_t count = 0;  // 0: the part looks like the object
 
-  void add(std::uint32_t texture, float weight) { parts[count++] = {texture, weight}; }
+  /// What there is no room for is left out; blobs have few components in one place.
+  void add(std::uint32_t texture, float weight) {
+    if (count < most) parts[count++] = {texture, weight};
+  }
 };
 
 /// Placed primitives of one type.

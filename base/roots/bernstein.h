@@ -1,0 +1,170 @@
+// Real roots in [0, 1] of polynomials in Bernstein form: the values that a Bézier curve's control
+// points take. Coefficients bound the polynomial, so most questions end before any root is sought,
+// and the signs at both ends are those of the first and the last coefficient, exactly: curves that
+// share an end point agree about the side on which it lies.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "base/roots/roots.h"
+
+namespace durer {
+
+/// Σ b[i] · C(N, i) · x^i · (1 - x)^(N - i).
+template <std::size_t N>
+using Bernstein = std::array<double, N + 1>;
+
+struct ValueAndSlope {
+  double value;
+  double slope;
+};
+
+/// At x, by de Casteljau's scheme, whose error does not exceed that of the coefficients.
+template <std::size_t N>
+[[nodiscard]] ValueAndSlope value_and_slope(Bernstein<N> b, double x) {
+  for (std::size_t left = N; left > 1; --left) {
+    for (std::size_t i = 0; i < left; ++i) b[i] += (b[i + 1] - b[i]) * x;
+  }
+  const double rise = b[1] - b[0];
+  return {b[0] + rise * x, static_cast<double>(N) * rise};
+}
+
+namespace detail {
+
+constexpr double binomial(std::size_t n, std::size_t k) {
+  double b = 1;
+  for (std::size_t i = 0; i < k; ++i) b = b * static_cast<double>(n - i) / static_cast<double>(i + 1);
+  return b;
+}
+
+/// The root of a polynomial whose signs at 0 and 1 differ, and which has no other: Newton steps,
+/// halving where they would leave the bracket.
+template <std::size_t N>
+double only_root(const Bernstein<N>& b) {
+  double lo = 0;
+  double hi = 1;
+  const bool negative_at_0 = b[0] < 0;
+  double x = b[0] / (b[0] - b[N]);
+  if constexpr (N == 1) return x;
+  for (int i = 0; i < 60; ++i) {  // Newton needs some 4
+    const ValueAndSlope at = value_and_slope<N>(b, x);
+    if (at.value == 0) return x;
+    ((at.value < 0) == negative_at_0 ? lo : hi) = x;
+    const double next = x - at.value / at.slope;
+    if (next >= lo && next <= hi) {
+      // The error is about the square of the step: one so small was the last that mattered.
+      const double step = std::abs(next - x);
+      x = next;
+      if (step <= 1e-10) break;
+    } else {
+      x = 0.5 * (lo + hi);
+      if (hi - lo <= 1e-16) break;
+    }
+  }
+  return x;
+}
+
+template <std::size_t N>
+std::size_t variations(const Bernstein<N>& b) {
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < N; ++i) n += (b[i] < 0) != (b[i + 1] < 0) ? 1 : 0;
+  return n;
+}
+
+template <std::size_t N>
+void add_sign_changes(const Bernstein<N>& b, double lo, double size, Roots<N>& out) {
+  // There are as many roots as variations, or fewer by an even number [Descartes].
+  const std::size_t n = variations<N>(b);
+  if (n == 0) return;
+  if (n == 1) {
+    if (out.count < N) out.add(lo + size * only_root<N>(b));
+    return;
+  }
+  if (size < 1e-12) {  // a root of higher order, as good as
+    if ((b[0] < 0) != (b[N] < 0) && out.count < N) out.add(lo + 0.5 * size);
+    return;
+  }
+  Bernstein<N> left{};
+  Bernstein<N> right = b;
+  for (std::size_t k = 0; k <= N; ++k) {
+    left[k] = right[0];
+    for (std::size_t i = 0; i + k < N; ++i) right[i] = 0.5 * (right[i] + right[i + 1]);
+  }
+  add_sign_changes<N>(left, lo, 0.5 * size, out);
+  add_sign_changes<N>(right, lo + 0.5 * size, 0.5 * size, out);
+}
+
+}  // namespace detail
+
+namespace detail {
+/// By what the product of coefficients i and j counts.
+template <std::size_t N, std::size_t M>
+inline constexpr auto product_weights = [] {
+  std::array<std::array<double, M + 1>, N + 1> w{};
+  for (std::size_t i = 0; i <= N; ++i) {
+    for (std::size_t j = 0; j <= M; ++j) {
+      w[i][j] = binomial(N, i) * binomial(M, j) / binomial(N + M, i + j);
+    }
+  }
+  return w;
+}();
+}  // namespace detail
+
+/// The product of two polynomials.
+template <std::size_t N, std::size_t M>
+[[nodiscard]] constexpr Bernstein<N + M> product(const Bernstein<N>& a, const Bernstein<M>& b) {
+  Bernstein<N + M> c{};
+  for (std::size_t i = 0; i <= N; ++i) {
+    for (std::size_t j = 0; j <= M; ++j) {
+      c[i + j] += detail::product_weights<N, M>[i][j] * (a[i] * b[j]);
+    }
+  }
+  return c;
+}
+
+template <std::size_t N>
+[[nodiscard]] constexpr Bernstein<N - 1> derivative(const Bernstein<N>& b) {
+  Bernstein<N - 1> d{};
+  for (std::size_t i = 0; i < N; ++i) d[i] = static_cast<double>(N) * (b[i + 1] - b[i]);
+  return d;
+}
+
+/// The same polynomial, by more coefficients.
+template <std::size_t M, std::size_t N>
+[[nodiscard]] constexpr Bernstein<M> raised(const Bernstein<N>& a) {
+  if constexpr (M == N) {
+    return a;
+  } else {
+    Bernstein<M - N> one{};
+    one.fill(1);
+    return product<N, M - N>(a, one);
+  }
+}
+
+/// The places in [0, 1] where the sign changes, ascending; 0 counts as positive, and places where
+/// the curve only touches zero are none. Their number is odd exactly if the signs of the first and
+/// the last coefficient differ.
+template <std::size_t N>
+[[nodiscard]] Roots<N> sign_changes(const Bernstein<N>& b) {
+  Roots<N> out;
+  detail::add_sign_changes<N>(b, 0, 1, out);
+  return out;
+}
+
+/// The coefficients over [lo, hi] of the polynomial with coefficients b over [0, 1].
+template <std::size_t N>
+[[nodiscard]] Bernstein<N> restricted(Bernstein<N> b, double lo, double hi) {
+  for (std::size_t k = 1; k <= N; ++k) {  // the part right of lo
+    for (std::size_t i = 0; i + k <= N; ++i) b[i] += (b[i + 1] - b[i]) * lo;
+  }
+  const double x = lo < 1 ? (hi - lo) / (1 - lo) : 0;
+  for (std::size_t k = 1; k <= N; ++k) {  // of which the part left of x
+    for (std::size_t i = N; i >= k; --i) b[i] = b[i - 1] + (b[i] - b[i - 1]) * x;
+  }
+  return b;
+}
+
+}  // namespace durer

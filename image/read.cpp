@@ -1,0 +1,27 @@
+#include "image/read.h"
+
+#include <array>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "image/oiio_file.h"
+#include "image/read_png.h"
+
+namespace durer::image {
+
+PictureRead read(const std::string& path, const std::string& kind) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                              &std::fclose);
+  if (!file) return {nullptr, "it cannot be opened"};
+  std::array<unsigned char, 8> magic{};
+  const std::size_t got = std::fread(magic.data(), 1, magic.size(), file.get());
+  constexpr std::array<unsigned char, 8> png = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+  if (got == magic.size() && magic == png) {
+    std::rewind(file.get());
+    return read_png(file.get());
+  }
+  return picture_of_file(path, kind);
+}
+
+}  // namespace durer::image

@@ -1,0 +1,48 @@
+// Reading objects whose operands are more than a few numbers in their places: words, lists of
+// points, components. What the lists mean, and whether they make sense, is the business of the
+// types themselves (TypeInfo::validate).
+#pragma once
+
+#include <vector>
+
+#include "interpreter/interpreter.h"
+
+namespace durer::interpreter {
+
+class ObjectReader {
+ public:
+  /// Reads into `object`, whose word is `word`.
+  ObjectReader(Interpreter& in, scene::Object& object, const Token& word)
+      : in_(in), object_(object), args_(object.args), word_(word) {}
+
+  void bicubic_patch();
+  void blob();
+  void height_field();
+  void julia_fractal();
+  void lathe();
+  void polygon();
+  void prism();
+  void sor();
+  void sphere_sweep();
+
+ private:
+  double number(const char* what);
+  bool accept(grammar::SymbolId word) { return in_.accept(word); }
+  bool spline_word(double& kind);
+  void points(double count, int width);
+  void vector();
+  void put_vector(std::size_t at, int width);
+  scene::HeightField picture_heights();
+  scene::HeightField function_heights();
+  bool julia_function();
+  void read_power();
+  void blob_component(bool rod);
+  void blob_modifiers(Transform& moved, scene::TextureUse& texture);
+
+  Interpreter& in_;
+  scene::Object& object_;
+  std::vector<double>& args_;
+  Token word_;
+};
+
+}  // namespace durer::interpreter

@@ -1,0 +1,113 @@
+// Pictures that come back as they were written, whatever the format.
+#include "image/read.h"
+
+#include <png.h>
+
+#include <cstdio>
+
+#include "image/image.h"
+#include "tests/unit/image/read_back.h"
+
+namespace durer::image::test {
+namespace {
+
+Image ramp() {
+  Image image(5, 3);
+  for (int y = 0; y < 3; ++y) {
+    for (int x = 0; x < 5; ++x) {
+      const auto p = image.at(x, y);
+      p[0] = static_cast<float>(x) / 4;
+      p[1] = static_cast<float>(y) / 2;
+      p[2] = 0.25F;
+      p[3] = 1;
+    }
+  }
+  return image;
+}
+
+Encoding raw(int bits) {
+  Encoding e;
+  e.encode = false;
+  e.bits = bits;
+  return e;
+}
+
+}  // namespace
+
+TEST_CASE("read: 8-bit formats give back their codes", "[image][read]") {
+  const Folder folder;
+  for (const char* name : {"png", "ppm", "bmp", "tga"}) {
+    CAPTURE(name);
+    const Format* format = format_named(name);
+    if (format == nullptr) continue;
+    const std::string path = folder / (std::string("ramp.") + name);
+    REQUIRE_FALSE(write(ramp(), path, *format, raw(8)));
+    const PictureRead read = image::read(path);
+    CAPTURE(read.error);
+    REQUIRE(read.picture);
+    const Picture& p = *read.picture;
+    CHECK(p.width == 5);
+    CHECK(p.height == 3);
+    REQUIRE(p.bits == 8);
+    REQUIRE(p.channels >= 3);
+    CHECK(p.codes[p.index(4, 0, 0)] == 255);
+    CHECK(p.codes[p.index(0, 0, 0)] == 0);
+    CHECK(p.codes[p.index(0, 2, 1)] == 255);
+  }
+}
+
+TEST_CASE("read: 16 bits stay 16 bits, floats stay floats", "[image][read]") {
+  const Folder folder;
+  REQUIRE_FALSE(write(ramp(), folder / "a.png", *format_named("png"), raw(16)));
+  const PictureRead png = image::read(folder / "a.png");
+  REQUIRE(png.picture);
+  CHECK(png.picture->bits == 16);
+  CHECK(png.picture->codes[png.picture->index(4, 0, 0)] == 65535);
+  const Format* exr = format_named("exr");
+  REQUIRE(exr != nullptr);
+  REQUIRE_FALSE(write(ramp(), folder / "a.exr", *exr, raw(16)));
+  const PictureRead real = image::read(folder / "a.exr");
+  CAPTURE(real.error);
+  REQUIRE(real.picture);
+  CHECK(real.picture->is_real());
+  CHECK(real.picture->samples.size() >= 45);
+}
+
+TEST_CASE("read: palettes stay palettes", "[image][read]") {
+  const Folder folder;
+  const std::string path = folder / "p.png";
+  std::FILE* file = std::fopen(path.c_str(), "wb");
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png_create_info_struct(png);
+  png_init_io(png, file);
+  png_set_IHDR(png, info, 2, 1, 4, PNG_COLOR_TYPE_PALETTE, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  const png_color colours[3] = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
+  png_set_PLTE(png, info, colours, 3);
+  png_write_info(png, info);
+  const unsigned char row[1] = {0x21};  // indices 2 and 1
+  png_write_row(png, row);
+  png_write_end(png, nullptr);
+  png_destroy_write_struct(&png, &info);
+  std::fclose(file);
+  const PictureRead read = image::read(path);
+  CAPTURE(read.error);
+  REQUIRE(read.picture);
+  REQUIRE(read.picture->palette.size() == 3);
+  CHECK(read.picture->palette[2][0] == 7);
+  CHECK(read.picture->codes == std::vector<std::uint16_t>{2, 1});
+}
+
+TEST_CASE("read: files that are none say so", "[image][read]") {
+  const Folder folder;
+  CHECK_FALSE(image::read(folder / "absent.png").picture);
+  std::FILE* file = std::fopen((folder / "short.png").c_str(), "wb");
+  const unsigned char start[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n', 0, 0};
+  std::fwrite(start, 1, sizeof start, file);
+  std::fclose(file);
+  const PictureRead broken = image::read(folder / "short.png");
+  CHECK_FALSE(broken.picture);
+  CHECK_FALSE(broken.error.empty());
+}
+
+}  // namespace durer::image::test

@@ -1,0 +1,141 @@
+#include "tracer/primitives/blob_field.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "tracer/primitives/frame.h"
+
+namespace durer::tracer {
+namespace {
+
+constexpr double endless = std::numeric_limits<double>::infinity();
+
+/// The stretch where |o + t d|² < radius2, cut to [from, to].
+void append(dvec3 o, dvec3 d, double radius2, double strength, double from, double to,
+            std::vector<BlobStretch>& out) {
+  const double bend = glm::dot(d, d);
+  if (bend <= 1e-30) {  // along a rod: the same all the way
+    const double top = radius2 - glm::dot(o, o);
+    if (top > 0 && from < to) out.push_back({from, to, 0, top, 0, strength});
+    return;
+  }
+  const double middle = -glm::dot(o, d) / bend;
+  const dvec3 nearest = o + middle * d;
+  const double top = radius2 - glm::dot(nearest, nearest);
+  if (!(top > epsilon * radius2)) return;
+  const double half = std::sqrt(top / bend);
+  const double begin = std::max(middle - half, from);
+  const double end = std::min(middle + half, to);
+  if (begin < end) out.push_back({begin, end, middle, top, bend, strength});
+}
+
+}  // namespace
+
+dvec3 BlobComponent::from_axis(dvec3 own) const {
+  if (length > 0) own.z -= std::clamp(own.z, 0.0, length);
+  return own;
+}
+
+double BlobComponent::field(dvec3 p) const {
+  const dvec3 off = from_axis(to_own.point(p));
+  const double root = radius2 - glm::dot(off, off);
+  return root > 0 ? strength * root * root : 0;
+}
+
+dvec3 BlobComponent::fall(dvec3 p) const {
+  const dvec3 off = from_axis(to_own.point(p));
+  const double root = radius2 - glm::dot(off, off);
+  return root > 0 ? to_own.covector(4 * strength * root * off) : dvec3(0.0);
+}
+
+void BlobComponent::append_stretches(const Ray& ray, std::vector<BlobStretch>& out) const {
+  const dvec3 o = to_own.point(ray.o);
+  const dvec3 d = to_own.vector(ray.d);
+  if (length < 0) {
+    append(o, d, radius2, strength, -endless, endless, out);
+    return;
+  }
+  // Where the line is beside the rod, below and above it.
+  const double t0 = -o.z / d.z;
+  const double t1 = (length - o.z) / d.z;
+  const dvec3 o_top = o - dvec3(0, 0, length);
+  const dvec3 o_side(o.x, o.y, 0);
+  const dvec3 d_side(d.x, d.y, 0);
+  if (std::abs(d.z) < 1e-15) {
+    if (o.z < 0) append(o, d, radius2, strength, -endless, endless, out);
+    if (o.z > length) append(o_top, d, radius2, strength, -endless, endless, out);
+    if (o.z >= 0 && o.z <= length) append(o_side, d_side, radius2, strength, -endless, endless, out);
+    return;
+  }
+  const bool climbs = d.z > 0;
+  append(o, d, radius2, strength, climbs ? -endless : t0, climbs ? t0 : endless, out);
+  append(o_side, d_side, radius2, strength, std::min(t0, t1), std::max(t0, t1), out);
+  append(o_top, d, radius2, strength, climbs ? t1 : -endless, climbs ? endless : t1, out);
+}
+
+std::size_t blob_component_size(std::span<const double> list) {
+  if (list.empty()) return 0;
+  const auto kind = static_cast<unsigned>(list[0]);
+  const std::size_t size = ((kind & 1U) != 0 ? 10 : 7) + ((kind & 2U) != 0 ? 12U : 0U);
+  return size <= list.size() ? size : 0;
+}
+
+std::vector<BlobComponent> blob_components(std::span<const double> list) {
+  std::vector<BlobComponent> all;
+  for (std::size_t size = 0; (size = blob_component_size(list)) > 0; list = list.subspan(size)) {
+    const auto kind = static_cast<unsigned>(list[0]);
+    const bool rod = (kind & 1U) != 0;
+    std::size_t at = 1;
+    const auto next = [&] { return list[at++]; };
+    const auto point = [&] {
+      at += 3;
+      return dvec3(list[at - 3], list[at - 2], list[at - 1]);
+    };
+    BlobComponent c;
+    const dvec3 from = point();
+    const dvec3 to = rod ? point() : from;
+    const double radius = std::abs(next());
+    const double strength = next();
+    c.texture = static_cast<std::uint32_t>(next());
+    if (!(radius > 0) || strength == 0) continue;
+    c.radius2 = radius * radius;
+    c.strength = strength / (c.radius2 * c.radius2);
+    Transform placement = Transform::translate(from);
+    Bounds3 reach{dvec3(-radius), dvec3(radius)};
+    Bounds3 seen = reach;
+    if (rod) {
+      c.length = glm::distance(from, to);
+      placement = frame_along(from, (to - from) / c.length, 1, 1);
+      reach.hi.z += c.length;
+      const double around = std::sqrt(c.radius2 + 0.25 * c.length * c.length);
+      seen = {dvec3(-around), dvec3(around)};
+      seen.lo.z += 0.5 * c.length;
+      seen.hi.z += 0.5 * c.length;
+    }
+    Bounds3 around_middle;  // the oracle's cube around a rod is not turned with it
+    if (rod) {
+      const dvec3 half = 0.5 * (seen.hi - seen.lo);
+      around_middle = {0.5 * (from + to) - half, 0.5 * (from + to) + half};
+    } else {
+      around_middle = {from - dvec3(radius), from + dvec3(radius)};
+    }
+    if ((kind & 2U) != 0) {
+      std::array<double, 12> m{};
+      for (double& x : m) x = next();
+      if (const auto moved = Transform::matrix(m)) {
+        placement = placement.then(*moved);
+        around_middle = around_middle.transformed(moved->forward);
+      }
+    }
+    c.to_own = placement.backward;
+    c.reach = reach.transformed(placement.forward);
+    if (strength > 0) c.seen = around_middle;
+    all.push_back(c);
+  }
+  return all;
+}
+
+}  // namespace durer::tracer
