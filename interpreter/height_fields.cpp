@@ -55,7 +55,8 @@ std::uint16_t height_of(const Picture& p, std::uint32_t x, std::uint32_t y,
     return curve ? decoded(c, p.bits, *curve) : c;
   };
   if (p.bits == 8 && png && p.channels == 1) return height_of_grey(code(0));
-  if (p.bits == 8) return static_cast<std::uint16_t>(grey ? 257 * code(0) : 256 * code(0) + code(1));
+  if (p.bits == 8)
+    return static_cast<std::uint16_t>(grey ? 257 * code(0) : 256 * code(0) + code(1));
   if (grey) return code(0);
   return height_of(code(0) / 65535.0, code(1) / 65535.0, code(2) / 65535.0);
 }
@@ -115,7 +116,8 @@ scene::HeightField ObjectReader::picture_heights() {
   scene::HeightField field{picture.width, picture.height, {}};
   field.heights.reserve(std::size_t{picture.width} * picture.height);
   for (std::uint32_t y = 0; y < picture.height; ++y) {
-    for (std::uint32_t x = 0; x < picture.width; ++x) field.heights.push_back(height_of(picture, x, y, curve, png));
+    for (std::uint32_t x = 0; x < picture.width; ++x)
+      field.heights.push_back(height_of(picture, x, y, curve, png));
   }
   return field;
 }
@@ -129,10 +131,25 @@ scene::HeightField ObjectReader::function_heights() {
     in_.fail(Code::out_of_range, span,
              fmt::format("there is no height field of {} by {} points", columns, rows));
   }
-  const functions::FunctionRef function = 
-      in_.read_scene_function(std::array<SymbolId, 3>{w::x, w::y, w::z});
-  scene::HeightField field{static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows), {}};
+  const functions::FunctionRef function =
+      in_.read_scene_function(std::array<SymbolId, 3>{w::x, w::y, w::z}, true);
+  in_.workspace_.context.noise_generator = in_.noise_generator();
+  scene::HeightField field{
+      static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows), {}};
   field.heights.reserve(std::size_t{field.width} * field.height);
+  if (function->components() > 1) {
+    functions::Evaluator<double> pigment(*function, in_.workspace_);
+    for (std::uint32_t j = 0; j < field.height; ++j) {
+      for (std::uint32_t i = 0; i < field.width; ++i) {
+        pigment(std::array{i / (columns - 1), j / (rows - 1), 0.0});
+        const auto channel = [&](int k) {
+          return std::trunc(65535 * std::clamp(pigment.component(k), 0.0, 1.0)) / 65535;
+        };
+        field.heights.push_back(height_of(channel(0), channel(1), channel(2)));
+      }
+    }
+    return field;
+  }
   std::vector<double> x(field.width);
   std::vector<double> y(field.width);
   const std::vector<double> z(field.width);
@@ -145,8 +162,9 @@ scene::HeightField ObjectReader::function_heights() {
     for (const double v : value) {
       // Beyond 0…1 the oracle keeps the lower 16 bits.
       const double h = std::trunc(65535 * v);
-      field.heights.push_back(std::abs(h) < 9e18 ? static_cast<std::uint16_t>(static_cast<std::int64_t>(h))
-                                                 : std::uint16_t{0});
+      field.heights.push_back(std::abs(h) < 9e18
+                                  ? static_cast<std::uint16_t>(static_cast<std::int64_t>(h))
+                                  : std::uint16_t{0});
     }
   }
   return field;
