@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "image/oiio_file.h"
+#include "image/read_gif.h"
 #include "image/read_png.h"
 
 namespace durer::image {
@@ -20,6 +21,10 @@ PictureRead read(const std::string& path, const std::string& kind) {
   if (got == magic.size() && magic == png) {
     std::rewind(file.get());
     return read_png(file.get());
+  }
+  if (got >= 6 && std::memcmp(magic.data(), "GIF8", 4) == 0) {
+    std::rewind(file.get());
+    return read_gif(file.get());
   }
   return picture_of_file(path, kind);
 }

@@ -48,8 +48,12 @@ void ObjectReader::julia_fractal() {
 }
 
 bool ObjectReader::julia_function() {
+  // Words such as `sin` are names of functions everywhere else, and come as names.
+  const Token t = in_.peek();
+  const auto* name = t.node<ast::Name>();
   for (std::size_t i = 0; i < functions.size(); ++i) {
-    if (!accept(functions[i])) continue;
+    if (!t.is(functions[i]) && (name == nullptr || name->name != functions[i])) continue;
+    in_.next();
     args_[5] = static_cast<double>(i);
     if (functions[i] == w::pwr) read_power();
     return true;

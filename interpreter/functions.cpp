@@ -73,25 +73,10 @@ Value Interpreter::read_function(Span span) {
   return value_of(compile_function(parameters), false, span);
 }
 
-/// A function that is part of the scene: `{ … }`. With `colours` it may be a pigment, whose value
-/// has components.
-functions::FunctionRef Interpreter::read_scene_function(std::span<const SymbolId> parameters,
-                                                        bool colours) {
-  const Span span = peek().span;
+/// A function that is part of the scene: `{ … }`.
+functions::FunctionRef Interpreter::read_scene_function(std::span<const SymbolId> parameters) {
   expect_open("function");
-  const Token body = peek();
-  const bool special = body.is(w::internal) || body.is(w::pattern) || body.is(w::pigment) ||
-                       body.is(w::transform) || body.is(w::spline);
-  if (!special) return std::make_shared<const functions::Function>(compile_function(parameters));
-  const Value v = body.is(w::internal) ? read_internal_function(span) : read_special_function(span);
-  if (const auto* u = v.get<Shared<Unsupported>>()) not_supported((*u)->feature, body.span);
-  const UserFunction& f = **v.get<Shared<UserFunction>>();
-  if (f.tape->parameters != parameters.size() || (f.is_vector && !(colours && body.is(w::pigment)))) {
-    fail(Code::wrong_kind, body.span,
-         fmt::format("a function of a {} cannot stand here", name_of(body.word)),
-         "what is wanted is a function whose value is a float");
-  }
-  return f.tape;
+  return std::make_shared<const functions::Function>(compile_function(parameters));
 }
 
 /// `(a, b)`: names, commas between them optional.

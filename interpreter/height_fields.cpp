@@ -7,6 +7,7 @@
 
 #include "functions/evaluate.h"
 #include "interpreter/object_reader.h"
+#include "interpreter/user_function.h"
 
 namespace durer::interpreter {
 
@@ -55,10 +56,21 @@ std::uint16_t height_of(const Picture& p, std::uint32_t x, std::uint32_t y,
     return curve ? decoded(c, p.bits, *curve) : c;
   };
   if (p.bits == 8 && png && p.channels == 1) return height_of_grey(code(0));
-  if (p.bits == 8)
-    return static_cast<std::uint16_t>(grey ? 257 * code(0) : 256 * code(0) + code(1));
+  if (p.bits == 8) return static_cast<std::uint16_t>(grey ? 257 * code(0) : 256 * code(0) + code(1));
   if (grey) return code(0);
   return height_of(code(0) / 65535.0, code(1) / 65535.0, code(2) / 65535.0);
+}
+
+/// A `pot` file: high bytes in the left half of a GIF, low bytes in the right one.
+scene::HeightField high_and_low(const Picture& p) {
+  scene::HeightField field{p.width / 2, p.height, {}};
+  for (std::uint32_t y = 0; y < field.height; ++y) {
+    for (std::uint32_t x = 0; x < field.width; ++x) {
+      const unsigned high = p.codes[p.index(x, y)];
+      field.heights.push_back(static_cast<std::uint16_t>(high * 256 + p.codes[p.index(x + field.width, y)]));
+    }
+  }
+  return field;
 }
 
 }  // namespace
@@ -103,21 +115,21 @@ scene::HeightField ObjectReader::picture_heights() {
   const std::span<const std::string_view> tried(suffixes.data(), kind.empty() ? 0U : 1U);
   const auto path = in_.find_file(name, span, tried);
   if (!path) in_.missing_file(name, span, tried);
-  if (kind == "gif" || kind == "pot" || std::filesystem::path(*path).extension() == ".gif") {
-    in_.not_supported("a height field from a GIF file", span);
-  }
   if (!in_.options_.read_picture) in_.not_supported("a height field from a picture", span);
   const PictureRead read = in_.options_.read_picture(*path, kind);
   if (!read.picture) {
     in_.fail(Code::file_not_found, span, fmt::format("`{}` cannot be read: {}", *path, read.error));
   }
   const Picture& picture = *read.picture;
+  if (kind == "pot" || std::filesystem::path(*path).extension() == ".pot") {
+    if (picture.palette.empty()) in_.fail(Code::file_not_found, span, fmt::format("`{}` is no GIF file", *path));
+    return high_and_low(picture);
+  }
   const bool png = kind == "png" || std::filesystem::path(*path).extension() == ".png";
   scene::HeightField field{picture.width, picture.height, {}};
   field.heights.reserve(std::size_t{picture.width} * picture.height);
   for (std::uint32_t y = 0; y < picture.height; ++y) {
-    for (std::uint32_t x = 0; x < picture.width; ++x)
-      field.heights.push_back(height_of(picture, x, y, curve, png));
+    for (std::uint32_t x = 0; x < picture.width; ++x) field.heights.push_back(height_of(picture, x, y, curve, png));
   }
   return field;
 }
@@ -131,25 +143,10 @@ scene::HeightField ObjectReader::function_heights() {
     in_.fail(Code::out_of_range, span,
              fmt::format("there is no height field of {} by {} points", columns, rows));
   }
-  const functions::FunctionRef function =
-      in_.read_scene_function(std::array<SymbolId, 3>{w::x, w::y, w::z}, true);
-  in_.workspace_.context.noise_generator = in_.noise_generator();
-  scene::HeightField field{
-      static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows), {}};
+  const functions::FunctionRef function = read_heights_function(span);
+  if (function->components() > 1) return colour_heights(*function, columns, rows);
+  scene::HeightField field{static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows), {}};
   field.heights.reserve(std::size_t{field.width} * field.height);
-  if (function->components() > 1) {
-    functions::Evaluator<double> pigment(*function, in_.workspace_);
-    for (std::uint32_t j = 0; j < field.height; ++j) {
-      for (std::uint32_t i = 0; i < field.width; ++i) {
-        pigment(std::array{i / (columns - 1), j / (rows - 1), 0.0});
-        const auto channel = [&](int k) {
-          return std::trunc(65535 * std::clamp(pigment.component(k), 0.0, 1.0)) / 65535;
-        };
-        field.heights.push_back(height_of(channel(0), channel(1), channel(2)));
-      }
-    }
-    return field;
-  }
   std::vector<double> x(field.width);
   std::vector<double> y(field.width);
   const std::vector<double> z(field.width);
@@ -162,9 +159,39 @@ scene::HeightField ObjectReader::function_heights() {
     for (const double v : value) {
       // Beyond 0…1 the oracle keeps the lower 16 bits.
       const double h = std::trunc(65535 * v);
-      field.heights.push_back(std::abs(h) < 9e18
-                                  ? static_cast<std::uint16_t>(static_cast<std::int64_t>(h))
-                                  : std::uint16_t{0});
+      field.heights.push_back(std::abs(h) < 9e18 ? static_cast<std::uint16_t>(static_cast<std::int64_t>(h))
+                                                 : std::uint16_t{0});
+    }
+  }
+  return field;
+}
+
+/// `{ … }`: a formula of x, y and z, a pattern, or a pigment.
+functions::FunctionRef ObjectReader::read_heights_function(Span span) {
+  in_.expect_open("function");
+  const Token t = in_.peek();
+  if (!t.is(w::pigment) && !t.is(w::pattern)) {
+    return std::make_shared<const functions::Function>(
+        in_.compile_function(std::array<SymbolId, 3>{w::x, w::y, w::z}));
+  }
+  const Value value = in_.read_special_function(span);
+  if (const auto* missing = value.get<Shared<Unsupported>>()) {
+    in_.not_supported((*missing)->feature, (*missing)->span);
+  }
+  return (*value.get<Shared<UserFunction>>())->tape;
+}
+
+/// The colours of a pigment as a picture of 16 bits would hold them.
+scene::HeightField ObjectReader::colour_heights(const functions::Function& function, double columns,
+                                                double rows) {
+  scene::HeightField field{static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows), {}};
+  std::vector<double> colour(static_cast<std::size_t>(function.components()));
+  const auto stored = [](double x) { return std::trunc(std::clamp(x, 0.0, 1.0) * 65535) / 65535; };
+  for (std::uint32_t j = 0; j < field.height; ++j) {
+    for (std::uint32_t i = 0; i < field.width; ++i) {
+      const std::array<double, 3> at = {i / (columns - 1), j / (rows - 1), 0};
+      functions::evaluate(function, at, colour, in_.workspace_);
+      field.heights.push_back(height_of(stored(colour[0]), stored(colour[1]), stored(colour[2])));
     }
   }
   return field;

@@ -332,8 +332,7 @@ class Interpreter {
   void check_may_change(Slot* slot, Span span);
   [[noreturn]] void function_stays(SymbolId name, Span span);
   std::vector<SymbolId> read_parameters();
-  functions::FunctionRef read_scene_function(std::span<const SymbolId> parameters,
-                                             bool colours = false);
+  functions::FunctionRef read_scene_function(std::span<const SymbolId> parameters);
   Value read_internal_function(Span span);
   Value read_special_function(Span span);
   scene::Pigment read_pattern(const Token& word);

@@ -49,6 +49,7 @@ double only_root(const Bernstein<N>& b) {
   const bool negative_at_0 = b[0] < 0;
   double x = b[0] / (b[0] - b[N]);
   if constexpr (N == 1) return x;
+  if (b[0] == 0) x = 0.5;  // it touches zero where it begins; where it changes sign is to be found
   for (int i = 0; i < 60; ++i) {  // Newton needs some 4
     const ValueAndSlope at = value_and_slope<N>(b, x);
     if (at.value == 0) return x;

@@ -54,6 +54,12 @@ TEST_CASE("bernstein: double roots keep the parity of the ends", "[base][roots]"
   }
 }
 
+TEST_CASE("bernstein: a zero at the beginning does not hide the change of sign", "[base][roots]") {
+  const auto roots = sign_changes<2>(Bernstein<2>{0, 1, -1});  // 2 x (1 - x) - x^2
+  REQUIRE(roots.count == 1);
+  CHECK(roots.values[0] == Approx(2.0 / 3));
+}
+
 TEST_CASE("bernstein: products, more coefficients and parts have the same values", "[base][roots]") {
   const Bernstein<3> p{0.3, -2, 1.5, 4};
   const auto value = [](const auto& b, double x) {
