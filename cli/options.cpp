@@ -44,7 +44,7 @@ Option{"Antialias_Depth",    "R",  Form::value, "", "", "n", "n in n*n+1 samples
 Option{"Jitter",             "J",  Form::flag,  "Jitter_Amount", "", "[x]", "move the samples at random, by this share of their distance; default on, 1", Group::sampling, apply::boolean<&S::jitter>},
 Option{"Jitter_Amount",      "",   Form::value, "", "", "x", "0 to 1", Group::sampling, apply::fraction<&S::jitter_amount>},
 Option{"Antialias_Gamma",    "AG", Form::value, "", "", "x", "curve in which neighbours are compared; default 2.5", Group::sampling, apply::aa_gamma},
-Option{"Quality",            "Q",  Form::value, "", "", "n", "9 to 11: everything; lower qualities are not supported yet", Group::sampling, apply::clamped_whole<&S::quality, 0, 9>},
+Option{"Quality",            "Q",  Form::value, "", "", "n", "9: everything; 8: no media, 7: no reflection and bumps, 5: no transparency, 4: no area lights, 3: no shadows, 1: pigments only", Group::sampling, apply::clamped_whole<&S::quality, 0, 9>},
 Option{"Render_Block_Size",  "BS", Form::value, "", "", "n", "pixels; anti-aliasing compares within blocks of this size; default 32", Group::sampling, apply::clamped_whole<&S::block_size, 4, 65535>},
 Option{"Work_Threads",       "WT", Form::value, "", "threads", "n", "threads; default one per processor", Group::sampling, apply::clamped_whole<&S::threads, 1, 512>},
 
@@ -186,7 +186,6 @@ const Option* option_of_switch(std::string_view text) {
 
 Problem check(const Settings& s) {
   if (auto problem = check_untrusted(s)) return problem;
-  if (s.quality < 9) return fmt::format("Quality={} is not supported yet, only 9", s.quality);
   if (s.antialias && s.sampling_method == 2) {
     return "anti-aliasing by Sampling_Method=2 is not supported yet, only 1";
   }

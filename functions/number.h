@@ -22,8 +22,9 @@ using std::abs, std::acos, std::acosh, std::asin, std::asinh, std::atan, std::at
     std::sin, std::sinh, std::sqrt, std::tan, std::tanh, std::trunc;
 
 [[nodiscard]] inline double sqr(double a) { return a * a; }
-/// Minimum and maximum as the language has them: with NaN the second of min, the first of max.
-[[nodiscard]] inline double min(double a, double b) { return a < b ? a : b; }
+/// Minimum and maximum as the language has them: of equals (zeros of either sign) the first; with
+/// NaN the second of min, the first of max.
+[[nodiscard]] inline double min(double a, double b) { return a <= b ? a : b; }
 [[nodiscard]] inline double max(double a, double b) { return a < b ? b : a; }
 [[nodiscard]] inline bool lt(double a, double b) { return a < b; }
 [[nodiscard]] inline bool le(double a, double b) { return a <= b; }

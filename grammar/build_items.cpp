@@ -1,4 +1,7 @@
 // The part of the builder that makes items, and answers the grammar's questions about those before.
+#include <algorithm>
+#include <array>
+
 #include "grammar/builder.h"
 
 namespace durer::grammar {
@@ -67,6 +70,11 @@ void Builder::close_file() { tree_->top = take_items(); }
 
 // ---- what may stand here ------------------------------------------------------------------------
 
+/// `detail`s of marks that only expressions of the full level have.
+static bool is_full_mark(char c) {
+  return std::string_view("=<>!&|?:lgn").find(c) != std::string_view::npos;
+}
+
 bool Builder::mark_allowed(const char* at) const {
   const char c = *at;
   const Frame& frame = frames_.back();
@@ -83,7 +91,7 @@ bool Builder::mark_allowed(const char* at) const {
       // `declare X = 1` without `#`, as very old scenes have it.
       const bool old_declare = c == '=' && items_.size() > frame.items + 1U &&
                                items_[items_.size() - 2].kind == ItemKind::word;
-      return expr(last->ref).may_expand || old_declare;
+      return expr(last->ref).may_expand || old_declare || (is_full_mark(c) && after_colour());
     }
     case ItemKind::literals: return !tree_->literals[last->ref].comma_after;
     case ItemKind::punct: return last->detail != ',' && last->detail != ';';
@@ -112,9 +120,35 @@ bool Builder::after_entry() const {
   return member != nullptr && !symbols_->reserved(member->member);
 }
 
+bool Builder::after_colour() const {
+  constexpr std::array<SymbolId, 10> words_of_colours = {
+      words::rgb,  words::rgbf,  words::rgbt,  words::rgbft,  words::color,
+      words::srgb, words::srgbf, words::srgbt, words::srgbft, words::colour};
+  // Back over `operand mark operand mark …` to the word.
+  std::size_t at = items_.size();
+  const std::size_t first = frames_.back().items;
+  while (at >= first + 2 && items_[at - 1].kind == ItemKind::expr) {
+    const ast::Item& before = items_[at - 2];
+    if (before.kind == ItemKind::word) {
+      return std::find(words_of_colours.begin(), words_of_colours.end(), before.ref) !=
+             words_of_colours.end();
+    }
+    if (before.kind != ItemKind::punct || !is_full_mark(before.detail)) return false;
+    at -= 2;
+  }
+  return false;
+}
+
 bool Builder::after_operand() const {
   const ast::Item* last = last_item();
   return last != nullptr && last->kind == ItemKind::expr;
+}
+
+bool Builder::made_single_component() const {
+  if (operands_.empty()) return false;
+  const ast::Expr& e = expr(operands_.back());
+  const auto* v = std::get_if<ast::Vector>(&e.node);
+  return v != nullptr && v->components.count == 1 && !e.may_expand;
 }
 
 bool Builder::relation_only() const {
@@ -126,7 +160,7 @@ bool Builder::relation_only() const {
 
 bool Builder::relation_possible(bool seen) const {
   const ast::Item* last = last_item();
-  if (seen || (last != nullptr && last->kind == ItemKind::directive)) return true;
+  if (seen || after_colour() || (last != nullptr && last->kind == ItemKind::directive)) return true;
   return frames_.back().arguments && after_operand();
 }
 

@@ -101,7 +101,7 @@ std::shared_ptr<Array> Interpreter::read_array(Span span) {
       break;  // `array[]` is `array`
     }
     brackets = true;
-    add_size(*array, read_num(1).v[0], total, span);
+    add_size(*array, read_scalar("size of an array"), total, span);
     const Token close = next();
     if (close.kind != Token::Kind::bracket_close) unexpected(close, "`]` after the size");
   }

@@ -65,6 +65,9 @@ std::uint32_t index_of(const ast::Tree& tree, const ast::Directive& d) {
 // ---- conditions -------------------------------------------------------------------------------
 
 bool Interpreter::condition(const ast::Tree& tree, ast::ExprId id) {
+  if (const Operand* quickly = quick(tree, id, 1); quickly != nullptr && quickly->is_float()) {
+    return std::abs(quickly->v[0]) > epsilon;
+  }
   if (is_text(tree, id)) {
     fail(Code::wrong_kind, tree.exprs[id].span, "expected a condition, found a string",
          "compare it, as in `(Name = \"x\")`");
@@ -115,6 +118,13 @@ Interpreter::Flow Interpreter::run(const ast::Tree& tree, const ast::Directive& 
 }
 
 namespace {
+/// The number that the expression is, in parentheses or not; null if it has to be worked out.
+const double* literal(const ast::Tree& tree, ast::ExprId id) {
+  while (const auto* p = std::get_if<ast::Paren>(&tree.exprs[id].node)) id = p->inner;
+  const auto* n = std::get_if<ast::Number>(&tree.exprs[id].node);
+  return n == nullptr ? nullptr : &n->value;
+}
+
 bool all_statements(const ast::Tree& tree, const ast::Switch& node) {
   for (std::uint32_t i = 0; i < node.cases.count; ++i) {
     if (tree.cases[node.cases.first + i].items.shape != Shape::statements) return false;
@@ -130,7 +140,9 @@ Interpreter::Flow Interpreter::run(const ast::Tree& tree, const ast::Directive& 
     const ast::Case& c = tree.cases[node.cases.first + i];
     bool matches = c.kind == ast::Case::Kind::else_;
     if (c.kind == ast::Case::Kind::case_) {
-      matches = std::abs(value - evaluate_full(tree, c.low, 1).v[0]) < epsilon;
+      const double* known = literal(tree, c.low);
+      const double wanted = known != nullptr ? *known : evaluate_full(tree, c.low, 1).v[0];
+      matches = std::abs(value - wanted) < epsilon;
     } else if (c.kind == ast::Case::Kind::range) {
       const double low = evaluate(tree, c.low, 1).v[0];
       const double high = evaluate(tree, c.high, 1).v[0];
@@ -176,12 +188,13 @@ Interpreter::Flow Interpreter::run(const ast::Tree& tree, const ast::Directive& 
 
 Interpreter::Flow Interpreter::run(const ast::Tree& tree, const ast::Directive& d,
                                    const ast::For& node) {
-  const double start = evaluate(tree, node.start, 1).v[0];
-  const double end = evaluate(tree, node.end, 1).v[0];
-  const double step = node.step == ast::none ? 1.0 : evaluate(tree, node.step, 1).v[0];
+  const double start = work_out_float(tree, node.start, "start");
+  const double end = work_out_float(tree, node.end, "end");
+  const double step = node.step == ast::none ? 1.0 : work_out_float(tree, node.step, "step");
   if (std::abs(step) < epsilon) {
     fail(Code::out_of_range, d.span, "the step of `#for` is zero", "give a step other than 0");
   }
+  check_may_change(env_.find(node.name), d.span);
   Slot& slot = env_.for_local(node.name);
   Environment::value_of(&slot)->set(Num(start));
   if (!(step > 0 ? start < end + epsilon : start > end - epsilon)) return Flow::normal;
@@ -302,7 +315,14 @@ void Interpreter::default_block() {
     const Token t = next();
     if (t.kind == Token::Kind::close) return;
     if (t.is(grammar::words::texture)) {
-      default_texture_ = read_texture("texture");
+      const scene::TextureId read = read_texture("texture");
+      if (scene_.textures[read].patterned()) {
+        fail(Code::unexpected_item, t.span, "a default texture cannot be chosen by a pattern");
+      }
+      if (scene_.textures[read].layers.size() > 1) {
+        fail(Code::unexpected_item, t.span, "a default texture has one layer");
+      }
+      default_texture_ = read;
     } else if (t.is(grammar::words::pigment) || t.is(grammar::words::finish) ||
                t.is(grammar::words::normal)) {
       scene::TextureUse use{default_texture_, {}};

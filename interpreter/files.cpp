@@ -186,6 +186,10 @@ void Interpreter::read_file() {
                          false);
       }
       if (target == nullptr) unexpected(t, "a variable to read into");
+      if (target->defined() && !target->is_num() && target->get<Shared<Text>>() == nullptr) {
+        fail(Code::wrong_kind, t.span,
+             fmt::format("only numbers, vectors and strings are read into; this is {}", kind_name(*target)));
+      }
       const DataFile::Datum datum = file.read();
       if (const auto* bad = std::get_if<DataFile::Bad>(&datum)) {
         fail(Code::evaluation, at, fmt::format("{} in `{}`", bad->what, file.path()));
@@ -194,7 +198,7 @@ void Interpreter::read_file() {
       } else if (const auto* s = std::get_if<std::string>(&datum)) {
         Text text;
         decode_literal(*s, at, false, text);
-        *target = Value(std::make_shared<const Text>(std::move(text)));
+        *target = text_value(std::move(text));
       }
     }
     if (file.at_end()) env_.undefine(name);

@@ -32,11 +32,16 @@ std::string argument_count(std::size_t n) {
   return fmt::format("{} argument{}", n, n == 1 ? "" : "s");
 }
 
-/// Functions must be undefined before their names get another meaning, even in an inner scope
-/// (language §4.3).
-void Interpreter::check_not_function(Slot* slot, Span span) {
+/// Functions, macros and open files must be undefined before their names get another meaning, even
+/// in an inner scope (language §4.3).
+void Interpreter::check_may_change(Slot* slot, Span span) {
   const Value* v = Environment::value_of(slot);
-  if (v != nullptr && v->get<Shared<UserFunction>>() != nullptr) function_stays(slot->name, span);
+  if (v == nullptr || v->is_num()) return;
+  if (v->get<Shared<UserFunction>>() != nullptr) function_stays(slot->name, span);
+  if (v->get<MacroRef>() == nullptr && v->get<std::shared_ptr<DataFile>>() == nullptr) return;
+  fail(Code::wrong_kind, span,
+       fmt::format("`{}` is {} and cannot become a variable", name_of(slot->name), kind_name(*v)),
+       fmt::format("`#undef {}` first, or choose another name", name_of(slot->name)));
 }
 
 void Interpreter::function_stays(SymbolId name, Span span) {
@@ -223,12 +228,12 @@ std::size_t Interpreter::read_arguments(const ast::Tree& tree, const ast::Expr& 
   const auto read_all = [&] {
     while (peek().kind != Token::Kind::end) {
       add(read_scalar("argument"));
-      optional_comma();
+      argument_comma();
     }
   };
   const auto* call = std::get_if<ast::Call>(&e.node);
   if (call == nullptr) {
-    const Nested part(*this, tree, std::get<ast::OpenGroup>(e.node).items);
+    const Nested part(*this, tree, std::get<ast::OpenGroup>(e.node).items, e.span);
     read_all();
     return n;
   }

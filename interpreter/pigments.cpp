@@ -162,7 +162,7 @@ bool Interpreter::pigment_modifier(scene::Pigment& p, const Token& t) {
   switch (t.word) {
     case w::quick_color:
     case w::quick_colour:
-      read_colour();  // shown at quality 5 and below only
+      p.quick_colour = read_colour();
       return true;
     case w::color_map:
     case w::colour_map:

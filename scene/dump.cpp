@@ -200,6 +200,12 @@ class Dumper {
     x ? value(name, *x) : out_.nothing(name);
   }
   template <typename T>
+  void value(std::string_view name, const Chunked<T>& list) {
+    out_.open_list(name);
+    for (const T& x : list) value("", x);
+    out_.close_list();
+  }
+  template <typename T>
   void value(std::string_view name, const std::vector<T>& list) {
     if constexpr (std::is_arithmetic_v<T>) {
       std::vector<std::string> texts;

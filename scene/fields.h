@@ -223,6 +223,7 @@ struct Fields<Pigment> {
                                   field("entries", &Pigment::entries),
                                   field("children", &Pigment::children),
                                   field("uv_mapping", &Pigment::uv_mapping),
+                                  field("quick_colour", &Pigment::quick_colour),
                                   field("origin", &Pigment::origin, Role::place),
                                   field("unsupported", &Pigment::unsupported)};
 };

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/chunked.h"
 #include "base/colour.h"
 #include "base/gamma.h"
 #include "scene/object.h"
@@ -90,7 +91,7 @@ struct Root {
 };
 
 struct Scene {
-  std::vector<Object> objects;
+  Chunked<Object> objects;
   std::vector<Root> roots;  // in order of declaration
   std::vector<Light> lights;
   std::vector<Texture> textures;

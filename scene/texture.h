@@ -35,6 +35,8 @@ struct Pigment {
   std::vector<Pigment> children;
   /// Looked up at (u, v, 0) of the object; transformations of the texture do not move it.
   bool uv_mapping = false;
+  /// Shown instead at quality 5 and below, unless one of its components is -1 (textures §11.8).
+  Colour quick_colour{vec3(-1.0F)};
   OriginId origin = 0;
   /// Name of a feature in it that cannot be rendered yet; such a pigment may be declared, not used.
   std::string unsupported;

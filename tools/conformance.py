@@ -33,6 +33,7 @@ BASELINE = programs.ROOT / "tests" / "examples" / "baseline.tsv"
 ORACLE_FAILS = "the oracle fails"
 RANK = {"exact": 4, "match": 3, "near": 2, "wrong": 1, "fail": 0}
 CLASSES = [*RANK, ORACLE_FAILS]
+NOT_YET = "D0220"  # the code of what durer cannot do yet
 
 
 @dataclass(frozen=True)
@@ -246,7 +247,7 @@ def options() -> argparse.Namespace:
     parser.add_argument("--html", type=Path, metavar="FOLDER", help="write a page with all pictures there")
     parser.add_argument("--baseline", type=Path, default=BASELINE, metavar="FILE")
     parser.add_argument("--update-baseline", action="store_true", help="take these verdicts as the new baseline")
-    parser.add_argument("--check", action="store_true", help="interpret only, and count why scenes are refused")
+    parser.add_argument("--check", action="store_true", help="interpret only, and tell what refused scenes lack")
     parser.add_argument("--oracle-only", action="store_true", help="only fill the cache of the oracle's pictures")
     return parser.parse_args()
 
@@ -270,27 +271,44 @@ def main() -> int:
         return check(scenes, place, args.jobs) if args.check else compare(scenes, place, args)
 
 
+def reasons(done: programs.Run) -> list[str]:
+    """Why a scene is refused: the features that are not there yet, else everything that was said."""
+    if done.timed_out:
+        return ["timed out"]
+    if done.code < 0:
+        return [f"crashed (signal {-done.code})"]
+    found = re.findall(r"error\[(D\d+)\]: (.*)", done.err) or [("", programs.first_error(done.err))]
+    missing = [re.sub(r" is not supported yet.*", "", text) for code, text in found if code == NOT_YET]
+    return sorted(set(missing)) if len(missing) == len(found) else [f"{code}: {text}" for code, text in found]
+
+
 def check(scenes: list[str], place: Workplace, jobs: int) -> int:
-    """Interprets the scenes without rendering; a table of the reasons why some are refused."""
+    """Interprets the scenes without rendering: what each refused one lacks, and how many lack it."""
     def interpret(name: str) -> programs.Run:
         scene = place.scene("durer", name)
         return programs.run([str(programs.durer_path()), "check", scene.name], scene.parent, DURER_LIMIT)
 
-    refused: dict[str, list[str]] = {}
-    crashes = 0
+    known = read_baseline(BASELINE)
+    counts: Counter[str] = Counter()
+    refused, wrong = 0, []
     with ThreadPoolExecutor(max(1, jobs)) as pool:
         for name, done in zip(scenes, pool.map(interpret, scenes)):
             if done.code == 0:
                 continue
-            crashes += done.code < 0
-            reason = "timed out" if done.timed_out else f"crashed (signal {-done.code})" if done.code < 0 \
-                else programs.first_error(done.err)
-            refused.setdefault(reason, []).append(name)
-    for reason, names in sorted(refused.items(), key=lambda item: -len(item[1])):
-        print(f"{len(names):4}  {reason}  {', '.join(names[:3])}{', …' if len(names) > 3 else ''}")
-    count = sum(map(len, refused.values()))
-    print(f"\n{len(scenes)} scenes: {len(scenes) - count} interpreted, {count} refused")
-    return 1 if crashes else 0
+            refused += 1
+            why = reasons(done)
+            counts.update(why)
+            bad_for_both = name in known and known[name][0] == ORACLE_FAILS
+            features = NOT_YET in done.err and not re.search(rf"error\[(?!{NOT_YET})", done.err)
+            if not features and not bad_for_both:
+                wrong.append(name)
+            print(f"{name}: {', '.join(why)}{' (the oracle fails too)' if bad_for_both else ''}")
+    print()
+    for reason, count in counts.most_common():
+        print(f"{count:4}  {reason}")
+    print(f"\n{len(scenes)} scenes: {len(scenes) - refused} interpreted, {refused} refused, "
+          f"{len(wrong)} for other reasons than missing features", *wrong, sep="\n  ")
+    return 1 if wrong else 0
 
 
 def fill_cache(scenes: list[str], place: Workplace) -> int:

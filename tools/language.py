@@ -4,6 +4,7 @@
     tools/language.py check [FILE...]     durer against the expectations
     tools/language.py verify [FILE...]    POV-Ray against the same expectations
     tools/language.py record [FILE...]    write the expectations of cases that have none, from POV-Ray
+    tools/language.py rows                every row of tests/language/rows.tsv must have a case
 
 A file is a prelude and cases, each begun by a line `//= what it shows`. A case is run alone, with the
 prelude and the places of the lines as they are in the file. What must come of it follows it:
@@ -12,26 +13,32 @@ prelude and the places of the lines as they are in the file. What must come of i
     // error: CODE at LINE:COLUMN   it ends with this diagnostic; lines count from the title
     // beyond                  POV-Ray reports an error here; what is expected is our own
     // before                  POV-Ray fails too, but elsewhere: later in the text or in another file
+    // later: WHAT; WHAT       POV-Ray does it; we say that we cannot do this yet (D0220)
+    // each: WORD...           the case stands for many: `@` is one of these words in turn
 
 Files that scenes include or read are in tests/language/files; `verify` needs POV-Ray, `check` does not.
+Scenes of version 3.8 (`.scene`) are beyond POV-Ray 3.7: nobody verifies them.
 """
 
 import argparse
+import collections
+import functools
 import os
 import re
+import shlex
 import shutil
 import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import answers
 import programs
 
 FOLDER = programs.ROOT / "tests" / "language"
-SCENE = "case.pov"  # a case runs under this name
-MARKS = re.compile(r"// (expect|error|beyond|before)(?:: ?(.*))?$")
+MARKS = re.compile(r"// (expect|error|beyond|before|later|each)(?:: ?(.*))?$")
+NOT_YET = "D0220"
 
 
 @dataclass
@@ -47,10 +54,20 @@ class Case:
     error: str
     beyond: bool
     before: bool
+    later: tuple[str, ...]
 
     @property
     def recorded(self) -> bool:
         return bool(self.prints or self.error or self.beyond)
+
+    @property
+    def file(self) -> str:
+        """The name under which it runs."""
+        return f"case{self.path.suffix}"
+
+    def standing_for(self, word: str) -> "Case":
+        return replace(self, title=self.title.replace("@", word), source=self.source.replace("@", word),
+                       prints=[line.replace("@", word) for line in self.prints])
 
     def name(self) -> str:
         return f"{self.path.name}:{self.first + 1}: {self.title}"
@@ -62,24 +79,25 @@ def cases_of(path: Path) -> list[Case]:
     found = []
     for k, start in enumerate(starts):
         end = starts[k + 1] if k + 1 < len(starts) else len(lines)
-        kept, marks = [], []
+        kept, marks = [], collections.defaultdict(list)
         for number, line in enumerate(lines):
             inside = number < starts[0] or start <= number < end
             mark = MARKS.fullmatch(line) if inside else None
             if mark:
-                marks.append(mark)
+                marks[mark[1]].append(mark[2] or "")
             kept.append(line if inside and not mark else "")
-        found.append(Case(path, lines[start][3:].strip(), start, end, "\n".join(kept).rstrip("\n"),
-                          [mark[2] or "" for mark in marks if mark[1] == "expect"],
-                          next((mark[2] for mark in marks if mark[1] == "error"), ""),
-                          any(mark[1] == "beyond" for mark in marks), any(mark[1] == "before" for mark in marks)))
+        case = Case(path, lines[start][3:].strip(), start, end, "\n".join(kept).rstrip("\n"), marks["expect"],
+                    next(iter(marks["error"]), ""), "beyond" in marks, "before" in marks,
+                    tuple(what.strip() for line in marks["later"] for what in line.split(";")))
+        words = [word for line in marks["each"] for word in shlex.split(line)]
+        found += [case.standing_for(word) for word in words] if words else [case]
     return found
 
 
 def ask(case: Case, program) -> answers.Printed:
     with tempfile.TemporaryDirectory(prefix="durer-") as folder:
         shutil.copytree(FOLDER / "files", folder, dirs_exist_ok=True)
-        scene = Path(folder) / SCENE
+        scene = Path(folder) / case.file
         scene.write_text(answers.framed(case.source), "utf-8")
         return program(scene)
 
@@ -90,10 +108,13 @@ def lines_of(text: str) -> list[str]:
 
 def error_of(case: Case, durer: answers.Printed) -> str:
     code = re.search(r"D\d{4}", durer.error or "")
-    if durer.file not in ("", SCENE):
+    if durer.file not in ("", case.file):
         return f"{code[0] if code else durer.error} at {durer.file}:{durer.line}:{durer.column}"
     line = durer.line - case.first - 1 if durer.line else 0
     return f"{code[0] if code else durer.error} at {line}:{durer.column}" if durer.error else ""
+
+
+waiting: set[tuple[Path, int, str]] = set()  # what cases are known to wait for, and do
 
 
 def judge_durer(case: Case) -> str | None:
@@ -103,12 +124,19 @@ def judge_durer(case: Case) -> str | None:
     durer = ask(case, answers.ask_durer)
     if lines_of(durer.text) != case.prints:
         return f"printed {lines_of(durer.text)}, expected {case.prints}" + (f"; {durer.error}" if durer.error else "")
+    if NOT_YET in (durer.error or ""):
+        for what in case.later:
+            if what in (durer.error or ""):
+                waiting.add((case.path, case.first, what))
+                return None
     if error_of(case, durer) != case.error:
         return f"{durer.error or 'no error'} ({error_of(case, durer)}), expected {case.error or 'none'}"
     return None
 
 
 def judge_oracle(case: Case) -> str | None:
+    if case.path.suffix == ".scene":
+        return None
     oracle = ask(case, answers.ask_oracle)
     if case.beyond:
         return None if oracle.error else "POV-Ray accepts this; it is not beyond it"
@@ -130,7 +158,11 @@ def judge_all(paths: list[Path], judge) -> int:
             if wrong:
                 failed += 1
                 print(f"{case.name()}\n    {wrong}")
-    print(f"{len(cases)} cases, {failed} fail")
+    if judge is judge_durer:
+        for path, first, what in sorted({(case.path, case.first, what) for case in cases for what in case.later} - waiting):
+            failed += 1
+            print(f"{path.name}:{first + 1}: does not wait for `{what}` any more")
+    print(f"{len(cases)} cases, {failed} fail, {len(waiting)} wait for features")
     return 1 if failed else 0
 
 
@@ -140,7 +172,8 @@ def record(paths: list[Path]) -> int:
         missing = [case for case in cases_of(path) if not case.recorded]
         with ThreadPoolExecutor(answers.AT_ONCE) as pool:
             marks = list(pool.map(marks_of, missing))
-        for case, text in reversed(list(zip(missing, marks))):
+        first_of_each = {case.first: (case, text) for case, text in reversed(list(zip(missing, marks)))}
+        for _, (case, text) in sorted(first_of_each.items(), reverse=True):
             end = case.last
             while not lines[end - 1].strip():
                 end -= 1
@@ -151,27 +184,61 @@ def record(paths: list[Path]) -> int:
 
 def marks_of(case: Case) -> list[str]:
     """The expectations of a case: what POV-Ray prints; our own message or text where it fails."""
+    if case.path.suffix == ".scene":
+        durer = ask(case, answers.ask_durer)
+        print(f"{case.name()}: to be read with care: {lines_of(durer.text)} {durer.error or ''}")
+        error = [f"// error: {error_of(case, durer)}"] if durer.error else []
+        return [*(f"// expect: {line}".rstrip() for line in lines_of(durer.text)), *error]
     oracle = ask(case, answers.ask_oracle)
     if oracle.error is None:
         prints = lines_of(oracle.text)
         if not prints:
             print(f"{case.name()}: prints nothing")
-        return [f"// expect: {line}".rstrip() for line in prints]
+        durer = ask(case, answers.ask_durer)
+        missing = re.search(r"`([^`]*)`", durer.error or "") if NOT_YET in (durer.error or "") else None
+        return [*(f"// expect: {line}".rstrip() for line in prints), *([f"// later: {missing[1]}"] if missing else [])]
     durer = ask(case, answers.ask_durer)
     marks = [f"// expect: {line}".rstrip() for line in lines_of(durer.text)]
-    print(f"{case.name()}: POV-Ray: {oracle.error} (line {oracle.line}); durer: {durer.error}")
+    if durer.error is None or durer.line != oracle.line:
+        print(f"{case.name()}: POV-Ray: {oracle.error} (line {oracle.line}); durer: {durer.error}")
     if durer.error is None:
         return ["// beyond", *marks]
-    return [*(["// before"] if durer.line != oracle.line or durer.file != SCENE else []), *marks, f"// error: {error_of(case, durer)}"]
+    return [*(["// before"] if durer.line != oracle.line or durer.file != case.file else []), *marks, f"// error: {error_of(case, durer)}"]
+
+
+def rows() -> int:
+    """A row is found where its text stands in a title or source of its section, or of the unit tests named instead."""
+    @functools.cache
+    def text_of(where: str) -> str:
+        if where.startswith("tests/"):
+            return "\n".join(
+                path.read_text("utf-8", "replace") for path in sorted(programs.ROOT.glob(where)) if path.suffix in (".cpp", ".pov", ".txt"))
+        files = [path for path in sorted(FOLDER.iterdir()) if path.name.startswith(f"{where}-")]
+        return "\n".join(f"{case.title}\n{case.source}" for path in files for case in cases_of(path))
+
+    lines = (FOLDER / "rows.tsv").read_text("utf-8").splitlines()[1:]
+    totals: collections.Counter[str] = collections.Counter()
+    missing = []
+    for section, row, needle, where in (line.split("\t") for line in lines if line):
+        totals[section] += 1
+        edge = r"(?<!\w)" if needle[:1].isalnum() else ""
+        if not re.search(edge + re.escape(needle), text_of(where or section)):
+            missing.append(f"{section}: {row}: no case has `{needle}`")
+    print("\n".join(missing))
+    print(", ".join(f"{section}: {count}" for section, count in totals.items()))
+    print(f"{sum(totals.values())} rows, {len(missing)} without a case")
+    return 1 if missing else 0
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("action", choices=["check", "verify", "record"])
+    parser.add_argument("action", choices=["check", "verify", "record", "rows"])
     parser.add_argument("files", nargs="*", type=Path, help="default: all of tests/language")
     args = parser.parse_args()
-    paths = args.files or sorted(FOLDER.glob("*.pov"))
-    if args.action != "check" and not programs.oracle_path():
+    if args.action == "rows":
+        return rows()
+    paths = args.files or sorted(path for path in FOLDER.iterdir() if path.suffix in (".pov", ".scene"))
+    if args.action in ("verify", "record") and not programs.oracle_path():
         print(f"language: POV-Ray is not installed; {programs.HOW_TO_INSTALL_ORACLE}", file=sys.stderr)
         return 2
     if args.action == "record":

@@ -93,10 +93,10 @@ const scene::Registry& registry() {
 
 void DeleteCompiledScene::operator()(const CompiledScene* s) const { delete s; }
 
-CompiledScenePtr compile(const scene::Scene& scene, Diagnostics& diagnostics) {
+CompiledScenePtr compile(const scene::Scene& scene, Diagnostics& diagnostics, int quality) {
   std::optional<Geometry> geometry = Geometry::build(scene, diagnostics);
   if (!geometry || !all_supported(scene, *geometry, diagnostics)) return nullptr;
-  auto out = std::make_unique<CompiledScene>(scene, std::move(*geometry));
+  auto out = std::make_unique<CompiledScene>(scene, std::move(*geometry), Quality(quality));
   compile_surfaces(*out);
   compile_interiors(scene, *out);
   for (const scene::Light& light : out->geometry.lights()) {

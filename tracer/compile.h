@@ -22,7 +22,9 @@ using CompiledScenePtr = std::unique_ptr<const CompiledScene, DeleteCompiledScen
 
 /// Builds stores, hierarchy, CSG programs and texture programs. Whatever the scene uses that the
 /// tracer cannot render is reported as an error with its origin; then the result is null.
-/// `scene` must outlive the result.
-[[nodiscard]] CompiledScenePtr compile(const scene::Scene& scene, Diagnostics& diagnostics);
+/// `scene` must outlive the result. `quality`, 0 to 9, leaves out parts of the work below 9
+/// (shading §3.6).
+[[nodiscard]] CompiledScenePtr compile(const scene::Scene& scene, Diagnostics& diagnostics,
+                                       int quality = 9);
 
 }  // namespace durer::tracer

@@ -7,6 +7,7 @@
 #include "tracer/compile.h"
 #include "tracer/geometry.h"
 #include "tracer/lights/light.h"
+#include "tracer/quality.h"
 #include "tracer/shading/interior.h"
 #include "tracer/shading/sky.h"
 #include "tracer/shading/texture.h"
@@ -24,10 +25,11 @@ struct SurfaceProgram {
 };
 
 struct CompiledScene {
-  CompiledScene(const scene::Scene& s, Geometry g)
-      : scene(&s), geometry(std::move(g)), textures(s), sky(s) {}
+  CompiledScene(const scene::Scene& s, Geometry g, Quality q)
+      : scene(&s), quality(q), geometry(std::move(g)), textures(s, q), sky(s) {}
 
   const scene::Scene* scene;
+  Quality quality;
   Geometry geometry;
   TextureStore textures;
   Sky sky;

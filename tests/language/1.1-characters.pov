@@ -58,3 +58,26 @@ global_settings { assumed_gamma 1 }
 //= there is no power operator
 #declare A = 2^3;
 // error: D0101 at 1:15
+
+//= any line ending
+#include "endings.inc"
+#debug concat(str(Unix, 0, 0), str(Dos, 0, 0), str(Mac, 0, 0), "\n")
+// expect: 123
+
+//= the end of a file ends its last line
+#include "no_end.inc"
+#debug concat(str(Last, 0, 0), "\n")
+// expect: 7
+
+//= @ stands for itself nowhere
+#declare Q = 1; Q @
+// each: $ ~ ` "'" % "\\" ^
+// error: D0201 at 1:17
+
+//= ! with a blank is not !=
+#declare A = (1 ! = 2);
+// error: D0101 at 1:19
+
+//= the longest match
+#debug concat(str((2<=2), 0, 0), str((1>=2), 0, 0), str((1!=2), 0, 0), "\n")
+// expect: 101

@@ -111,3 +111,45 @@ global_settings { charset utf8 } global_settings { charset ascii }
 //= an unterminated string
 #declare A = "one;
 // error: D0104 at 2:18
+
+//= an escaped quote is part of the text
+#debug concat(str(strlen("\""), 0, 0), str(asc("\""), 0, 0), "\n")
+// expect: 134
+
+//= @ is no escape
+#declare A = "\@";
+// each: c e i z 0 1 8 ? % B N
+// error: D0101 at 1:14
+
+//= a backslash at the end swallows the quote
+#fopen F "C:\dir\" read
+// error: D0104 at 2:18
+
+//= a literal of 255 characters
+#declare A = "123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 12345";
+#debug concat(str(strlen(A), 0, 0), "\n")
+// expect: 255
+
+//= a literal of 300 characters
+#declare A = "123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 ";
+#debug concat(str(strlen(A), 0, 0), "\n")
+// beyond
+// expect: 300
+
+//= charset sys
+global_settings { charset sys }
+#debug concat("plain", "\n")
+// beyond
+// expect: plain
+
+//= an unknown charset
+global_settings { charset latin }
+// error: D0203 at 1:27
+
+//= \u with letters of both cases
+#debug concat(str(asc("\u00e9"), 0, 0), ",", str(asc("\u00E9"), 0, 0), ",", str(asc("\uFFFF"), 0, 0), "\n")
+// expect: 233,233,65535
+
+//= include names keep backslashes
+#include "no\name.inc"
+// error: D0601 at 1:10

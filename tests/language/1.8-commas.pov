@@ -78,3 +78,71 @@ sphere { 0, 1, }
 //= between entries of colour maps
 #declare M = color_map { [0 rgb 1], [1 rgb 0] }
 // error: D0201 at 1:35
+
+//= after the last argument of a built-in function
+#declare A = pow(2, 3,);
+// error: D0202 at 1:22
+
+//= after the last argument of a function
+#declare F = function(X) { X } #declare A = F(1,);
+// error: D0202 at 1:48
+
+//= after the last argument inside functions
+#declare F = function(X) { max(X, 2,) }
+// error: D0202 at 1:36
+
+//= after the last argument of a macro
+#macro M(A, B) A + B #end
+#debug concat(str(M(1, 2,), 0, 0), "\n")
+// expect: 3
+
+//= arguments of functions and splines
+#declare F = function(A, B) { A - B } #declare S = spline { 0 <0,0,0> 1 <1,1,1> }
+#debug concat(str(F(5 2), 0, 0), vstr(3, S(0.5, linear_spline), ",", 0, 1), "\n")
+// expect: 30.5,0.5,0.5
+
+//= arguments of vector and string functions
+#debug concat(vstr(3 vrotate(x 90*z) "," 0 0), substr("abc" 2 1), vstr(3, vcross(x y), ",", 0, 0), vstr(3, vaxis_rotate(x y 0), ",", 0, 0), "\n")
+// expect: 0,1,0b0,0,11,0,0
+
+//= concat
+#debug concat("a" "b", "\n")
+// expect: ab
+
+//= required in @
+#declare A = @(1 2);
+// each: max min bitwise_and bitwise_or bitwise_xor
+// beyond
+
+//= loop heads
+#for (I 1 2 1) #debug str(I,0,0) #end #switch (2) #range (1 3) #debug "in\n" #end
+// expect: 12in
+
+//= subscripts need none
+#declare A = array[2][2] { { 1 2 } { 3 4 } } #debug concat(str(A[1][0], 0, 0), "\n")
+// expect: 3
+
+//= forbidden between entries of slopes
+#declare M = slope_map { [0 <0,1>], [1 <1,0>] }
+// error: D0201 at 1:35
+// error: D0201 at 1:31
+
+//= forbidden between objects
+sphere { 0, 1 }, sphere { 0, 1 }
+// error: D0201 at 1:16
+
+//= forbidden after an operand of a box
+box { 0, 1, }
+// error: D0201 at 1:11
+
+//= a sign joins operands of a plane
+plane { y -1 }
+// error: D0202 at 1:14
+
+//= a comma after the radius of a cylinder
+cylinder { 0, y, 1, open }
+// error: D0201 at 1:19
+
+//= two commas between components
+#declare A = <1,,2>;
+// error: D0101 at 1:19

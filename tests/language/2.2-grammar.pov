@@ -161,3 +161,49 @@ global_settings { assumed_gamma 1 }
 #declare A = (1 + 2;
 // before
 // error: D0102 at 3:1
+
+//= a conditional chooses between numbers only
+#declare S = (1 ? "a" : "b");
+// error: D0204 at 1:19
+
+//= relations in a row, as arguments
+#declare A = 1; #declare B = 3; #declare V = <1, 2, 3>;
+#debug concat(str(int(A < B > 2), 0, 0), str(int(A < B > 0), 0, 0), str(int(!A < (V).u > B*2), 0, 0), "\n")
+// expect: 010
+
+//= more signs
+#debug concat(str(- - 2, 0, 0), str(!!5, 0, 0), str(-+-2, 0, 0), str(2*-+3, 0, 0), "\n")
+// expect: 212-6
+
+//= = compares
+#declare A = 3; #debug concat(str((A = 3), 0, 0), str((A = 4), 0, 0), "\n")
+// expect: 10
+
+//= a ?: without its second half
+#declare A = (1 ? 2);
+// error: D0101 at 1:19
+
+//= ?: at the additive level
+#declare A = 1 ? 2 : 3;
+// error: D0101 at 1:18
+
+//= the component of a function, a spline, a clock
+#declare F = function { pigment { rgb <0.5,0.25,1> } } #declare S = spline { 0,<1,2,3> }
+#debug concat(str(F(0,0,0).green, 0, 2), str(S(0).z, 0, 2), str(clock.x, 0, 2), "\n")
+// expect: 0.253.000.00
+
+//= division by zero in the branch not taken
+#debug concat(str((1 ? 2 : 1/0), 0, 0), "\n")
+// expect: 2
+
+//= an index error in the branch not taken
+#declare R = array[1] { 1 } #declare A = (1 ? 2 : R[1]);
+// error: D0302 at 1:53
+
+//= both sides of a string relation
+#declare A = ("a" = 5);
+// error: D0204 at 1:21
+
+//= an array element and a string function in a relation
+#declare R = array[1] { "b" } #debug concat(str((R[0] = "b"), 0, 0), str((strlwr("B") = R[0]), 0, 0), str((chr(65) < "B"), 0, 0), "\n")
+// expect: 111

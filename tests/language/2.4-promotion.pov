@@ -224,3 +224,59 @@ global_settings { assumed_gamma 1 }
 //= grey is no component
 #declare A = <1,2,3>.grey;
 // error: D0203 at 1:14
+
+//= a transformation with a component takes the other slots too
+#declare A = <1,2,3>; #declare B = box { 0, 1 translate A.y } #declare C = box { 0, 1 scale A.z } #declare D = box { 0, 1 translate A.x + 1 } #declare E = box { 0, 1 translate -A.y } #declare G = box { 0, 1 translate (A.y) } #declare H = box { 0, 1 scale 2*A.z } #declare K = sphere { A.x, 1 }
+#debug concat(vstr(3, min_extent(B), ",", 0, 3), "\n")
+#debug concat(vstr(3, max_extent(C), ",", 0, 3), "\n")
+#debug concat(vstr(3, min_extent(D), ",", 0, 3), "\n")
+#debug concat(vstr(3, min_extent(E), ",", 0, 3), "\n")
+#debug concat(vstr(3, min_extent(G), ",", 0, 3), "\n")
+#debug concat(vstr(3, max_extent(H), ",", 0, 3), "\n")
+#debug concat(vstr(3, min_extent(K), ",", 0, 3), "\n")
+// expect: 2.000,2.000,3.000
+// expect: 3.000,2.000,3.000
+// expect: 2.000,2.000,3.000
+// expect: -2.000,2.000,3.000
+// expect: 2.000,2.000,2.000
+// expect: 6.000,6.000,6.000
+// expect: 0.000,1.000,2.000
+
+//= component .@ of a colour
+#declare C = rgbft <0.1,0.2,0.3,0.4,0.5>; #debug concat(str(C.@, 0, 5), "\n")
+// each: x u red
+// expect: 0.10000
+
+//= components by all their names
+#declare C = rgbft <0.1,0.2,0.3,0.4,0.5>; #debug concat(str(C.y, 0, 3), str(C.v, 0, 3), str(C.green, 0, 3), str(C.z, 0, 3), str(C.blue, 0, 3), str(C.t, 0, 3), str(C.filter, 0, 3), str(C.transmit, 0, 3), str(C.gray, 0, 5), "\n")
+// expect: 0.2000.2000.2000.3000.3000.4000.4000.5000.18170
+
+//= component .@ beyond the length
+#declare A = <1,2>; #debug str(A.@, 0, 0)
+// each: z blue t filter transmit
+// error: D0204 at 1:32
+
+//= .gray needs no length
+#debug concat(str(<1,2>.gray, 0, 3), "\n")
+// expect: 1.475
+
+//= grey and alpha are no components
+#declare A = <1,2,3>; #debug str(A.@, 0, 0)
+// each: grey alpha hf color rgb
+// error: D0203 at 1:34
+
+//= a vector of two as a colour
+#declare C = rgb <0.5,1>; #debug concat(vstr(5, C, ",", 0, 1), "\n")
+// expect: 0.5,1.0,0.0,0.0,0.0
+
+//= three where two are wanted
+sphere_sweep { linear_spline 2, 0, 1, x, <1,2,3> }
+// error: D0220 at 1:1
+
+//= a vector is no radius
+sphere { 0, <1,2,3> }
+// error: D0204 at 1:13
+
+//= lengths of #write, #declare and macro arguments
+#declare A = 2; #declare B = <A,1>; #declare C = B*2; #debug concat(vstr(4, C, ",", 0, 0), "\n")
+// expect: 4,2,0,0

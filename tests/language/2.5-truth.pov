@@ -137,3 +137,15 @@ global_settings { assumed_gamma 1 }
 // expect: 3.141593
 // expect: 0.000,1.000,0.000
 // expect: 0.000,1.000,0.000
+
+//= every name of truth
+#debug concat(str(yes, 0, 0), str(on, 0, 0), str(true, 0, 0), str(no, 0, 0), str(off, 0, 0), str(false, 0, 0), str(!yes, 0, 0), "\n")
+// expect: 1110000
+
+//= nothing over nothing
+#debug concat(str(0/0, 0, 0), str(1/(-0), 0, 0), str(-1/0, 0, 0), str((1/0 = 1/0), 0, 0), "\n")
+// expect: infinfinf1
+
+//= strings by their codes
+#debug concat(str(("abc" < "abd"), 0, 0), str(("" = ""), 0, 0), str(("Z" < "a"), 0, 0), str(("a" != "A"), 0, 0), "\n")
+// expect: 1111

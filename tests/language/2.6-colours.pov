@@ -213,3 +213,42 @@ global_settings { assumed_gamma 1 }
 //= a string is no colour
 #declare A = rgb "red";
 // error: D0204 at 1:18
+
+//= @ in front of a value
+#declare C = @ <0.1,0.2,0.3,0.4,0.5>; #debug concat(vstr(3, C, ",", 0, 3), "\n")
+// each: rgb rgbf rgbft color colour 'color rgb' 'colour rgbft'
+// expect: 0.100,0.200,0.300
+
+//= rgbt moves its fourth value
+#declare C = rgbt <0.1,0.2,0.3,0.4>; #debug concat(vstr(5, C, ",", 0, 3), "\n")
+// expect: 0.100,0.200,0.300,0.000,0.400
+
+//= words of single components in any order
+#declare C = color transmit 0.5 blue 0.3 red 0.1 green 0.2 filter 0.4; #debug concat(vstr(5, C, ",", 0, 3), "\n")
+// expect: 0.100,0.200,0.300,0.400,0.500
+
+//= alpha is filter
+#declare C = rgb 1 alpha 0.25; #debug concat(vstr(5, C, ",", 0, 3), "\n")
+// expect: 1.000,1.000,1.000,0.250,0.000
+
+//= @ takes only red, green and blue
+light_source { 0, rgbft <1,1,1,0.5,0.5> } sphere { 0, 1 finish { ambient rgbt <1,1,1,1> } } #debug "fine\n"
+// expect: fine
+
+//= expression as operand of a colour
+#declare A = <1,0.5,0.25>; #declare C = color A*0.5 + 0.25; #debug concat(vstr(5, C, ",", 0, 4), "\n")
+// expect: 0.7500,0.5000,0.3750,0.0000,0.0000
+
+//= @ is no operand
+#declare A = 2*@;
+// each: 'rgb 1' 'color 1' 'red 1'
+// error: D0101 at 1:16
+
+//= @ decodes three components
+#declare C = @ <0.5,0.25,1,0.5,0.5>; #debug concat(vstr(3, C, ",", 0, 5), "\n")
+// each: srgb srgbft srgbf
+// expect: 0.21404,0.05088,1.00000
+
+//= a colour in parentheses
+#declare A = (rgb 1);
+// error: D0201 at 1:15

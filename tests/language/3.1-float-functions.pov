@@ -416,3 +416,67 @@ global_settings { assumed_gamma 1 }
 //= a missing parenthesis
 #declare A = sin 1;
 // error: D0201 at 1:14
+
+//= @ of a string
+#declare A = @(
+"a");
+// each: abs acos asin atan ceil cos cosh degrees exp floor int ln log radians sin sinh sqrt tan tanh asinh acosh atanh seed
+// error: D0204 at 2:1
+
+//= @ of a number
+#declare A = @(
+1);
+// each: strlen val asc file_exists
+// error: D0204 at 2:1
+
+//= @ without arguments
+#declare A = @();
+// each: abs acos asin atan ceil cos cosh degrees exp floor int ln log radians sin sinh sqrt tan tanh asinh acosh atanh seed rand strlen val asc file_exists vlength min bitwise_and
+// error: D0202 at 1:14
+
+//= @ with one argument
+#declare A = @(1);
+// each: atan2 div mod pow select vdot
+// error: D0202 at 1:14
+
+//= @ with three arguments
+#declare A = @(1, 2, 3);
+// each: atan2 div pow
+// error: D0201 at 1:14
+
+//= @ is an ordinary reserved word
+#declare A = @(3);
+// each: sum prod sqr cube reciprocal pwr
+// error: D0201 at 1:14
+
+//= acos and asin in their domain, and beyond
+#debug concat(str(asin(1.0000001), 0, 6), str(acos(-1.0000001), 0, 6), "\n")
+// expect: 1.5707963.141593
+
+//= seed and rand
+#declare S = seed(1); #debug concat(str(S, 0, 0), str((rand(S) < 1), 0, 0), "\n")
+// expect: 01
+
+//= val takes the longest number
+#debug concat(str(val("1e"), 0, 2), str(val("1.5.5"), 0, 2), str(val("+7"), 0, 2), str(val("inf"), 0, 2), "\n")
+// expect: 1.001.507.00inf
+
+//= file_exists with and without a suffix
+#debug concat(str(file_exists("declares.inc"), 0, 0), str(file_exists("declares"), 0, 0), "\n")
+// expect: 10
+
+//= defined of a parameter and of a function
+#macro M(P) #debug str(defined(P), 0, 0) #end #declare F = function { x } M(1) #debug concat(str(defined(F), 0, 0), "\n")
+// expect: 11
+
+//= inside with CSG and transformations
+#declare O = difference { box { -1, 1 } sphere { 0, 1 } scale 2 } #debug concat(str(inside(O, 0), 0, 0), str(inside(O, 1.9), 0, 0), str(inside(O, 2.1), 0, 0), "\n")
+// expect: 010
+
+//= inside of no object
+#declare P = 5; #declare A = inside(P, 0);
+// error: D0204 at 1:37
+
+//= inside of an inverse
+#declare O = sphere { 0, 1 inverse } #debug concat(str(inside(O, 0), 0, 0), str(inside(O, 2), 0, 0), "\n")
+// expect: 01

@@ -79,3 +79,26 @@ global_settings { assumed_gamma 1 }
 // expect: 0
 // expect: 0
 // expect: 0
+
+//= @ may be declared anew
+#declare @ = 77; #debug concat(str(@, 0, 0), "\n")
+// each: image_width image_height input_file_name frame_number initial_frame final_frame initial_clock final_clock clock_delta
+// expect: 77
+
+//= @ may be removed
+#undef @ #debug concat(str(defined(@), 0, 0), "\n")
+// each: image_width image_height input_file_name frame_number initial_frame final_frame initial_clock final_clock clock_delta
+// expect: 0
+
+//= @ is zero in a still picture
+#debug concat(str(@, 0, 6), "\n")
+// each: frame_number initial_frame final_frame initial_clock final_clock clock_delta clock clock_on
+// expect: 0.000000
+
+//= now has fractions
+#debug concat(str((now != int(now)), 0, 0), "\n")
+// expect: 1
+
+//= constants of vectors in sums
+#debug concat(vstr(3, x + 2*y + 3*z, ",", 0, 0), vstr(2, u + 2*v, ",", 0, 0), "\n")
+// expect: 1,2,31,2

@@ -222,3 +222,107 @@ global_settings { assumed_gamma 1 }
 //= concat of nothing
 #declare A = concat();
 // error: D0202 at 1:14
+
+//= last digits
+#debug concat(vstr(3, vnormalize(<7.31,-2.24,19.5>), ",", 0, 18), "\n")
+#debug concat(vstr(3, vnormalize(<1,2,3>), ",", 0, 18), "\n")
+#debug concat(vstr(3, vrotate(<7.31,-2.24,19.5>, <12.5,-73.1,141>), ",", 0, 18), "\n")
+#debug concat(vstr(3, vaxis_rotate(<7.31,-2.24,19.5>, <12.5,-73.1,141>, 33.3), ",", 0, 18), "\n")
+// expect: 0.349005063841176577,-0.106945464159266160,0.930998460315040188
+// expect: 0.267261241912424397,0.534522483824848793,0.801783725737273190
+// expect: 16.176565531019569733,-4.854644050404410827,12.387689807405678266
+// expect: 2.528809156910987177,-0.581076547498989404,20.783916240542101406
+
+//= @ of a string
+#declare A = @(
+"a", x);
+// each: vcross vdot vrotate
+// error: D0204 at 2:1
+
+//= vnormalize of a string
+#declare A = vnormalize("a");
+// error: D0204 at 1:25
+
+//= @ without arguments
+#declare A = @();
+// each: vcross vnormalize vrotate vaxis_rotate vturbulence trace
+// error: D0202 at 1:14
+
+//= @ as text without arguments
+#declare A = @();
+// each: chr datetime str strlwr strupr substr vstr
+// error: D0202 at 1:14
+
+//= @ of an unknown object
+#declare A = @(Nothing);
+// each: min_extent max_extent
+// error: D0203 at 1:25
+
+//= an axis of zero
+#declare A = vaxis_rotate(<1,2,3>, 0, 30); #debug concat(str((A.x = 7), 0, 0), "\n")
+// expect: 1
+
+//= the format of datetime may not be too long
+#declare A = datetime(0, "12345678901234567890123456789012345678901234567890123456789012345678901234567890123456789012345678901234567890123456789012345678901234567890123456789012345678901234567890123456789012345678901234567890123456789012345678901234567890");
+// error: D0302 at 1:14
+
+//= seconds are rounded
+#debug concat(datetime(0.5/86400), " ", datetime(1.6/86400), " ", datetime(10000.99999999), "\n")
+// expect: 2000-01-01 00:00:01Z 2000-01-01 00:00:02Z 2027-05-20 00:00:00Z
+
+//= conversions of datetime
+#debug concat(datetime(0.25, "%d %m %y %H %M %S %j %%"), "\n")
+// expect: 01 01 00 06 00 00 001 %
+
+//= datetime of now
+#debug concat(str(strlen(datetime(now)), 0, 0), "\n")
+// expect: 20
+
+//= the normal of an inverse object
+#declare N = <0,0,0>; #declare O = sphere { 0, 1 inverse } #declare P = trace(O, -5*z, z, N); #debug concat(vstr(3, P, ",", 0, 2), vstr(3, N, ",", 0, 2), "\n")
+// expect: 0.00,0.00,-1.00-0.00,-0.00,1.00
+
+//= the normal of a smooth triangle
+#declare N = <0,0,0>; #declare O = smooth_triangle { -x-y, -z+x, 2*x-y, -z, y, -z-x } #declare P = trace(O, -5*z, z, N); #debug concat(vstr(3, P, ",", 0, 2), vstr(3, N, ",", 0, 2), "\n")
+// expect: 0.00,0.00,0.00-0.15,0.00,-0.99
+
+//= trace through transformations
+#declare N = <0,0,0>; #declare O = sphere { 0, 1 scale <1,2,1> rotate 45*z translate 3*z } #declare P = trace(O, <0.5,0.5,-5>, z, N); #debug concat(vstr(3, P, ",", 0, 4), vstr(3, N, ",", 0, 4), "\n")
+// expect: 0.5000,0.5000,2.29290.5000,0.5000,-0.7071
+
+//= trace from inside
+#declare O = sphere { 0, 1 } #debug concat(vstr(3, trace(O, 0, x), ",", 0, 2), vstr(3, trace(O, x, x), ",", 0, 2), "\n")
+// expect: 1.00,0.00,0.000.00,0.00,0.00
+
+//= trace in no direction
+#declare O = sphere { 0, 1 } #debug concat(vstr(3, trace(O, -5*z, 0), ",", 0, 2), "\n")
+// expect: 0.00,0.00,0.00
+
+//= trace through a union of lights
+#declare O = union { sphere { 0, 1 } light_source { 0, rgb 1 } } #debug concat(vstr(3, trace(O, -5*z, z), ",", 0, 2), "\n")
+// expect: 0.00,0.00,-1.00
+
+//= extents of @
+#declare O = @ #debug concat(vstr(3, min_extent(O), ",", 0, 0), "\n")
+// each: 'quadric { <1,1,1>, 0, 0, -1 }'
+// expect: -1,-1,-1
+
+//= codes of chr and asc
+#debug concat(str(asc(chr(0)), 0, 0), str(asc(chr(65535)), 0, 0), "\n")
+// expect: 065535
+
+//= case mapping leaves others
+#debug concat(strlwr("ÄB1_Z"), strupr("az19_"), "\n")
+// expect:   b1_zAZ19_
+
+//= substr from zero
+#declare A = substr("ABC", 0, 1); #debug "fine\n"
+// expect: fine
+
+//= vstr of a colour with a separator
+#debug concat(vstr(5, rgb 1, ";", 0, 1), "\n")
+// error: D0201 at 1:23
+
+//= vstr with five numbers
+#debug concat(vstr(5, <1,2,3,4,5>, ";", 3, 0), "\n")
+// expect:   1;  2;  3;  4;  5

@@ -33,3 +33,15 @@ global_settings { assumed_gamma 1 }
 //= a comparison is no message
 #debug ("a" = "b")
 // error: D0204 at 1:9
+
+//= @ of a number
+#@
+1
+// each: warning error render statistics
+// error: D0204 at 2:1
+
+//= @ of nothing
+#@
+// each: debug warning error render statistics
+// before
+// error: D0202 at 3:1

@@ -158,3 +158,62 @@ global_settings { assumed_gamma 1 }
 #debug concat(str(defined(F), 0, 0), "\n")
 // expect: 1
 // expect: 0
+
+//= @ in hexadecimal
+#fopen F "t31.txt" write #write (F, "\"", @ 26729, "\",") #fclose F #fopen F "t31.txt" read #read (F, A) #debug concat(A, "\n")
+// each: sint16be uint16be
+// expect: hi
+
+//= little ends
+#fopen F "t32.txt" write #write (F, "\"", sint16le 26984, uint16le 26984, sint32le 1735289202, "\",") #fclose F #fopen F "t32.txt" read #read (F, A) #debug concat(A, "\n")
+// expect: hihiring
+
+//= values beyond their type
+#fopen F "t33.txt" write #write (F, "\"", uint8 65 66.6, sint8 1000 97, "\",") #fclose F #fopen F "t33.txt" read #read (F, A) #debug concat(A, "\n")
+// expect: ACa
+
+//= strings in data keep their escapes
+#fopen F "t34.txt" write #write (F, "\"a\\\"b\\\\c\",") #fclose F #fopen F "t34.txt" read #read (F, A) #debug concat(A, "\n")
+// expect: a"b\c
+
+//= signed numbers and vectors of 2 to 5
+#fopen F "t35.txt" write #write (F, "-1, +2, <1,-2>, <1,2,3>, <1,2,3,4>, <1,2,3,4,5>,") #fclose F #fopen F "t35.txt" read #read (F, A, B, C, D, E, G)
+#debug concat(str(A, 0, 0), str(B, 0, 0), vstr(2, C, ",", 0, 0), vstr(3, D, ",", 0, 0), vstr(4, E, ",", 0, 0), vstr(5, G, ",", 0, 0), "\n")
+// expect: -121,-21,2,31,2,3,41,2,3,4,5
+
+//= comments in data
+#fopen F "t36.txt" write #write (F, "1, // one\n2, /* two */ 3,") #fclose F #fopen F "t36.txt" read #read (F, A, B, C) #debug concat(str(A, 0, 0), str(B, 0, 0), str(C, 0, 0), "\n")
+// expect: 123
+
+//= what is read replaces another type
+#declare A = "old"; #fopen F "t37.txt" write #write (F, "<1,2,3>,7,") #fclose F #fopen F "t37.txt" read #read (F, A) #debug concat(vstr(3, A, ",", 0, 0), "\n") #read (F, A) #debug concat(str(A, 0, 0), "\n")
+// expect: 1,2,3
+// expect: 7
+
+//= a name that holds an object is not read into
+#declare A = sphere { 0, 1 } #fopen F "data.txt" read #read (F, A)
+// error: D0204 at 1:65
+
+//= expressions in data
+#fopen F "t38.txt" write #write (F, "1+1,") #fclose F #fopen F "t38.txt" read #read (F, A, B) #debug concat(str(A, 0, 0), str(B, 0, 0), "\n")
+// expect: 11
+
+//= an object is not written
+#declare O = sphere { 0, 1 } #fopen F "t39.txt" write #write (F, O)
+// error: D0204 at 1:66
+
+//= a mode that is none
+#fopen F "t40.txt" update
+// error: D0203 at 1:20
+
+//= a file opened again after it was closed
+#fopen F "t41.txt" write #write (F, "1,") #fclose F #fopen F "t41.txt" write #write (F, "2,") #fclose F #fopen F "t41.txt" read #read (F, A) #debug concat(str(A, 0, 0), "\n")
+// expect: 2
+
+//= append to what is not there
+#fopen F "t42.txt" append #write (F, "5,") #fclose F #fopen F "t42.txt" read #read (F, A) #debug concat(str(A, 0, 0), "\n")
+// expect: 5
+
+//= an empty file
+#fopen F "t43.txt" write #fclose F #fopen F "t43.txt" read #read (F, A) #debug concat(str(defined(A), 0, 0), str(defined(F), 0, 0), "\n")
+// expect: 10

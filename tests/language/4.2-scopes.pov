@@ -56,3 +56,11 @@ global_settings { assumed_gamma 1 }
 #macro M() #fopen H "data.txt" read #read (H, Got) #fclose H #end M()
 #debug concat(str(Got, 0, 0), "\n")
 // expect: 1
+
+//= a local in an include is not the caller's
+#local Inner = 5; #include "locals.inc" #debug concat(str(Inner, 0, 0), "\n")
+// expect: 5
+
+//= a macro in a macro sees the locals of both
+#macro B() #debug concat(str(P, 0, 0), str(Q, 0, 0), "\n") #end #macro A(P) #local Q = 2; B() #end A(1)
+// expect: 12

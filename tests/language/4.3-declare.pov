@@ -129,3 +129,64 @@ global_settings { assumed_gamma 1 }
 //= no equals sign
 #declare A 1;
 // error: D0101 at 1:12
+
+//= without #, also of an element
+#declare A = array[2] { 1, 2 }
+declare A[1] = 7;
+declare B = 8;
+#debug concat(str(A[1], 0, 0), str(B, 0, 0), "\n")
+// expect: 78
+
+//= without #, and one too late
+declare# A = 1;
+// error: D0201 at 1:8
+
+//= @ may stand on the right
+#declare A = @ #debug concat(str(defined(A), 0, 0), "\n")
+// each: '1;' '<1,2>;' '<1,2,3>;' '<1,2,3,4>;' '<1,2,3,4,5>;' 'rgb 1;' '"s"' 'sphere { 0, 1 }' 'texture { pigment { rgb 1 } } texture { pigment { rgbt 1 } }'
+// each: 'pigment { rgb 1 }' 'normal { bumps }' 'finish { phong 1 }' 'color_map { [0 rgb 0] [1 rgb 1] }' 'pigment_map { [0 rgb 0] [1 rgb 1] }' 'normal_map { [0 bumps] [1 dents] }'
+// each: 'texture_map { [0 pigment { rgb 1 }] [1 pigment { rgb 0 }] }' 'slope_map { [0 <0,1>] [1 <1,0>] }' 'density_map { [0 rgb 0] [1 rgb 1] }' 'density { bozo }' 'media { emission 1 }'
+// each: 'interior { ior 1.5 }' 'material { texture { pigment { rgb 1 } } }' 'camera { location 0 }' 'transform { scale 2 }' 'spline { 0, 1 }' 'array[2] { 1, 2 }' 'function { x }'
+// each: 'fog { distance 1 }' 'rainbow { direction z width 1 angle 1 distance 1 }' 'sky_sphere { pigment { rgb 1 } }' 'light_source { 0, rgb 1 }' 'union { sphere { 0, 1 } box { 0, 1 } }' 'colour_map { [0 rgb 0] [1 rgb 1] }'
+// expect: 1
+
+//= @ is copied by name
+#declare A = @ #declare B = A; #debug concat(str(defined(B), 0, 0), "\n")
+// each: '"s"' 'sphere { 0, 1 }' 'texture { pigment { rgb 1 } }' 'pigment { rgb 1 }' 'normal { bumps }' 'finish { phong 1 }' 'color_map { [0 rgb 0] [1 rgb 1] }' 'pigment_map { [0 rgb 0] [1 rgb 1] }' 'normal_map { [0 bumps] [1 dents] }'
+// each: 'texture_map { [0 pigment { rgb 1 }] [1 pigment { rgb 0 }] }' 'slope_map { [0 <0,1>] [1 <1,0>] }' 'interior { ior 1.5 }' 'material { texture { pigment { rgb 1 } } }' 'camera { location 0 }' 'transform { scale 2 }' 'spline { 0, 1 }' 'array[2] { 1, 2 }' 'function { x }' 'fog { distance 1 }' 'sky_sphere { pigment { rgb 1 } }' 'light_source { 0, rgb 1 }'
+// expect: 1
+
+//= a file handle cannot be declared
+#fopen F "t30.txt" write #declare F = 5;
+// error: D0204 at 1:35
+
+//= an open file cannot be copied
+#fopen F "data.txt" read #declare A = F;
+// error: D0204 at 1:39
+
+//= a macro cannot be copied
+#macro M() #end #declare A = M;
+// error: D0204 at 1:30
+
+//= a macro is no variable, not even a local one
+#macro M() #end #local M = 1;
+// error: D0204 at 1:24
+
+//= an array element keeps the type of its array
+#declare A = array[2] { 1, 2 } #declare A[0] = @
+// each: '"s"' 'sphere { 0, 1 }' '<1,2,3>;' 'array[1] { 1 }'
+// error: D0204 at 1:41
+
+//= directives of the oldest scenes have no sign
+declare A = 5
+#debug concat(str(A, 0, 0), "\n")
+// expect: 5
+// error: D0101 at 1:9
+
+//= deprecated with its own words
+#declare deprecated "do not" A = 1; #local deprecated once "do not" B = A; #debug concat(str(A + B, 0, 0), "\n")
+// expect: 2
+
+//= a pigment starts from the default
+#default { pigment { rgb 0.5 } } #declare P = pigment { scale 2 } #declare F = function { pigment { P } } #debug concat(str(F(0,0,0).red, 0, 3), "\n")
+// expect: 0.500

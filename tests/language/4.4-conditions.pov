@@ -124,3 +124,52 @@ global_settings { assumed_gamma 1 }
 #if (1) #debug "a" #else #debug "b" #else #debug "c" #end
 #debug "\n"
 // expect: a
+
+//= ifdef of @
+#ifdef (@) #debug "defined\n" #else #debug "undefined\n" #end
+// each: Nothing sphere sin pi x
+// expect: undefined
+
+//= ifdef of @, which is there
+#macro M() #end #declare F = function { x } #fopen H "data.txt" read #declare A = array[1] #declare E = array[1] { 1 } #ifdef (@) #debug "defined\n" #else #debug "undefined\n" #end
+// each: M F H A E[0] image_width
+// expect: defined
+
+//= ifndef of a word
+#ifndef (sphere) #debug "undefined\n" #end
+// expect: undefined
+
+//= stray range
+#range (1, 2)
+// error: D0102 at 1:1
+
+//= stray break in an if
+#if (1) #break #end
+// error: D0102 at 1:9
+
+//= else in a loop
+#while (1) #else #end
+// error: D0102 at 1:12
+
+//= ends that are missing: @
+@
+// each: '#if (1)' '#ifdef (A)' '#while (0)' '#for (I, 1, 2)' '#switch (1) #case (1)' '#macro M()'
+// before
+// error: D0102 at 3:1
+
+//= a condition without parentheses
+#if 1 #end
+// error: D0101 at 1:5
+
+//= elseif after ifdef and ifndef
+#ifndef (image_width) #debug "a" #elseif (0) #debug "b" #elseif (1) #debug "c" #else #debug "d" #end #debug "\n"
+// expect: c
+
+//= case expressions of a fall-through are read
+#switch (1) #case (1) #debug "a" #case (1/2) #debug "b" #range (1, 2) #debug "c" #end #debug "\n"
+// expect: abc
+
+//= truth has a tolerance
+#if (1e-11) #debug "true\n" #else #debug "false\n" #end #if (-1e-9) #debug "true\n" #end
+// expect: false
+// expect: true

@@ -100,3 +100,65 @@ global_settings { assumed_gamma 1 }
 #for (I 1 2) #debug concat(str(I,0,1)," ") #end
 #debug "\n"
 // expect: 1.0 2.0
+
+//= the variable was a function
+#declare F = function { x } #for (F, 1, 2) #end
+// error: D0204 at 1:29
+
+//= the variable was @
+#declare F = @ #for (F, 1, 2) #debug concat(str(F, 0, 0), " ") #end #debug "\n"
+// each: '"text"' 'sphere { 0, 1 }' 'array[2] { 1, 2 }' 'spline { 0, 1 }' '<1,2,3>;' 'pigment { rgb 1 }' 'transform { scale 2 }'
+// expect: 1 2
+
+//= the variable was a macro
+#macro M() #end #for (M, 1, 2) #debug concat(str(M, 0, 0), " ") #end #debug "\n"
+// error: D0204 at 1:17
+
+//= the variable was a file
+#fopen M "data.txt" read #for (M, 1, 2) #debug concat(str(M, 0, 0), " ") #end #debug "\n"
+// error: D0204 at 1:26
+
+//= no array elements
+#declare A = array[2] #for (A[0], 1, 2) #end
+// error: D0101 at 1:30
+
+//= the variable is no float any more at the end
+#for (I, 1, 2) #declare I = "s"; #end
+// error: D0204 at 1:1
+
+//= the variable is gone at the end
+#for (I, 1, 2) #undef I #end
+// error: D0204 at 1:1
+
+//= a vector bound
+#for (I, 1, x) #end
+// error: D0204 at 1:13
+
+//= commas
+#for (I, 1, 2,) #debug "turn\n" #end
+// expect: turn
+// expect: turn
+
+//= too few
+#for (I, 1) #end
+// error: D0101 at 1:11
+
+//= the end is read once
+#declare N = 2; #for (I, 1, N) #declare N = 5; #debug concat(str(I, 0, 0), " ") #end #debug "\n"
+// expect: 1 2
+
+//= while with a string
+#while ("a") #end
+// error: D0204 at 1:8
+
+//= while with a vector
+#while (x) #end
+// error: D0204 at 1:8
+
+//= a loop may not end in another file
+#while (1) #include "count.inc" #break #end #debug "fine\n"
+// expect: fine
+
+//= tolerance at both ends
+#for (I, 1, 2 - 1e-11) #debug concat(str(I, 0, 0), " ") #end #for (I, 2, 1 + 1e-11, -1) #debug concat(str(I, 0, 0), " ") #end #debug "\n"
+// expect: 1 2 2 1

@@ -20,7 +20,7 @@ global_settings { assumed_gamma 1 }
 
 //= and in the call
 #macro M() 1 #end #declare A = M;
-// beyond
+// error: D0204 at 1:32
 
 //= the body takes part in the expression
 #macro M(a,b) a+b #end
@@ -214,3 +214,142 @@ Show(Turned(Ball) -2*y, <1,2,3>)
 Show(Ball -2*y, <1,2,3>)
 // expect: -0 -2 -0; 1 2 3
 // expect: -0 -2 -0; 1 2 3
+
+//= a macro of a value in a loop sees what it is called with, not what lies beneath
+#declare T = 5;
+#macro Twice(A) #local T = 2; (A*T) #end
+#for (I, 1, 2)
+  #declare R = Twice(T) + Twice(I);
+  #debug concat(str(R, 0, 3), " ", str(T, 0, 0), "\n")
+#end
+// expect: 12.000 5
+// expect: 14.000 5
+
+//= macros of values inside one another, by reference and by value
+#macro Inner(A, B) #local C = A - B; (C*C) #end
+#macro Outer(V, A) #local C = Inner(A, V.x) + Inner(V.y, A); (C + V.z) #end
+#declare P = <1, 2, 3>;
+#for (I, 1, 2)
+  #declare R = Outer(P, I);
+  #debug concat(str(R, 0, 3), " ", vstr(3, P*Outer(P + x, 2*I), " ", 0, 2), "\n")
+#end
+// expect: 4.000 3.00 6.00 9.00
+// expect: 4.000 11.00 22.00 33.00
+
+//= a macro that changes between two turns of a loop
+#for (I, 1, 3)
+  #if (I = 2) #undef M #end
+  #macro M(A) (A*I + (I > 1)) #end
+  #declare R = M(10);
+  #debug concat(str(R, 0, 3), "\n")
+#end
+// expect: 10.000
+// expect: 21.000
+// expect: 31.000
+
+//= the body of a macro reaches into the formula around its call
+#macro Sum(A, B) A + B #end
+#for (I, 1, 2)
+  #declare R = 2*Sum(I, 3);
+  #declare Q = Sum(I, 3)*2;
+  #debug concat(str(R, 0, 1), " ", str(Q, 0, 1), "\n")
+#end
+// expect: 5.0 7.0
+// expect: 7.0 8.0
+
+//= strings in loops keep what was assigned before
+#declare A = "one";
+#macro Tag(S, N) #local L = strlen(S); concat(S, "-", str(L + N, 0, 0)) #end
+#for (I, 1, 3)
+  #declare B = A;
+  #declare A = concat(Tag(A, I), "!");
+  #declare C = strupr(substr(A, 1, 3));
+  #debug concat(A, " ", B, " ", C, " ", vstr(2, <I, 1/3>, "/", -4, 1), "\n")
+#end
+// expect: one-4! one ONE 01.0/00.3
+// expect: one-4!-8! one-4! ONE 02.0/00.3
+// expect: one-4!-8!-12! one-4!-8! ONE 03.0/00.3
+
+//= lengths of vectors in loops: floats fill, short vectors are padded
+#declare U = <1, 2>;
+#declare F = 3;
+#for (I, 1, 2)
+  #declare V = F*U + <1, 1, 1>;
+  #declare W = (F + U) + <1, 1, 1>;
+  #declare K = rgb F*0.1 + U.x;
+  #declare L = -V + (U < 2) + y*I;
+  #debug concat(vstr(3, V, " ", 0, 1), ", ", vstr(3, W, " ", 0, 1), ", ", vstr(5, K, " ", 0, 1), "\n")
+  #debug concat(vstr(3, L, " ", 0, 1), " ", str(vlength(L), 0, 3), " ", str(vdot(U, V), 0, 3), "\n")
+#end
+// expect: 4.0 7.0 1.0, 5.0 6.0 1.0, 1.3 1.3 1.3 0.0 0.0
+// expect: -3.0 -6.0 -1.0 6.782 18.000
+// expect: 4.0 7.0 1.0, 5.0 6.0 1.0, 1.3 1.3 1.3 0.0 0.0
+// expect: -3.0 -5.0 -1.0 5.916 18.000
+
+//= an argument that is worked out may not be a local of the caller
+#declare G = 7;
+#macro Keep(A) #local G = A + 1; (G) #end
+#for (I, 1, 2)
+  #declare R = Keep(G);
+  #debug concat(str(R, 0, 0), " ", str(G, 0, 0), "\n")
+#end
+// expect: 8 7
+// expect: 8 7
+
+//= an undeclared argument of a macro of a value
+#macro One(A) (1) #end
+#for (I, 1, 2)
+  #declare R = One(Nothing);
+#end
+// error: D0203 at 3:20
+// error: D0203 at 3:20
+
+//= by reference: @
+#macro M(P) #declare P = 5; #end #declare A = @ M(A) #debug concat(str(A, 0, 0), "\n")
+// each: '1;' '<1,2>;' '<1,2,3>;' '<1,2,3,4>;' 'rgb 1;' '"s"' 'spline { 0, 1 }' 'array[2] { 1, 2 }' 'sphere { 0, 1 }' 'texture { pigment { rgb 1 } }' 'pigment { rgb 1 }' 'transform { scale 2 }' 'finish { phong 1 }'
+// expect: 5
+
+//= by value: @
+#declare V = <7,8,9>; #declare F = function { x } #declare A = 1; #macro M(P) #declare P = 5; #end M(@) #debug concat(str(A, 0, 0), vstr(3, V, ",", 0, 0), "\n")
+// each: A+0 +A (A) -A V.x F(1,2,3) 3 '"s"' 'sphere { 0, 1 }' 'A*1' '<1,2,3>'
+// expect: 17,8,9
+
+//= by reference: an element does not change its type
+#macro M(P) #declare P = "text"; #end #declare A = array[2] { 1, 2 } M(A[1])
+#debug concat(str(A[0], 0, 0), "\n")
+// before
+// expect: 1
+// error: D0204 at 1:22
+
+//= a local of a macro in the argument
+#macro In() #local L = 3; L #end #macro Out(P) #declare P = 6; #debug concat(str(P, 0, 0), "\n") #end Out(In())
+// expect: 6
+
+//= a file as an argument
+#fopen F "data.txt" read #macro M(P) #end M(F)
+// error: D0204 at 1:45
+
+//= @ as argument
+#macro M(P) #debug concat(str(defined(P), 0, 0), "\n") #end M(@)
+// each: 1 '<1,2>' '<1,2,3>' 'rgb 1' '"s"' 'sphere { 0, 1 }' 'texture { pigment { rgb 1 } }' 'pigment { rgb 1 }' 'normal { bumps }' 'finish { phong 1 }' 'color_map { [0 rgb 0] [1 rgb 1] }' 'array[2] { 1, 2 }' 'function { x }' 'spline { 0, 1 }' 'transform { scale 2 }' 'camera { location 0 }' 'interior { ior 1.5 }' 'material { texture { pigment { rgb 1 } } }'
+// expect: 1
+
+//= a macro of map entries
+#macro E(A, B) [A rgb 0] [B rgb 1] #end sphere { 0, 1 pigment { gradient x color_map { E(0, 0.5) E(0.5, 1) } } } #debug "fine\n"
+// expect: fine
+
+//= a macro of modifiers
+#macro T(A) scale A translate x #end #declare O = sphere { 0, 1 T(2) } #debug concat(vstr(3, max_extent(O), ",", 0, 0), "\n")
+// expect: 3,2,2
+
+//= a macro of nothing
+#macro N() #end sphere { 0, 1 N() } N() #debug concat("fine", "\n")
+// expect: fine
+
+//= a parameter named twice
+#macro M(A, A) #debug str(A, 0, 0) #end M(1, 2)
+// expect: 2
+
+//= a reserved word is no macro
+#macro rotate() #end
+// error: D0101 at 1:8

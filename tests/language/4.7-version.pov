@@ -22,3 +22,15 @@ global_settings { assumed_gamma 1 }
 //= unofficial versions
 #version unofficial patch 1.0;
 // error: D0203 at 1:21
+
+//= a number alone
+#version 3.6 #debug concat(str(version, 0, 2), "\n")
+// expect: 3.60
+
+//= an expression in parentheses
+#version (3.5 + 0.1); #debug concat(str(version, 0, 2), "\n")
+// expect: 3.60
+
+//= a version of a string
+#version "3.5";
+// error: D0204 at 1:10

@@ -49,3 +49,15 @@ union { #include "spheres.inc" }
 //= a number is no file name
 #include 5
 // error: D0204 at 1:10
+
+//= upper case suffixes
+#include "upper" #debug concat(str(Upper, 0, 0), "\n")
+// expect: 3
+
+//= a file with its own suffix is tried first
+#include "both.inc" #debug concat(str(Both, 0, 0), "\n")
+// expect: 1
+
+//= without the suffix, one is added first
+#include "bare" #debug concat(str(Bare, 0, 0), "\n")
+// expect: 2

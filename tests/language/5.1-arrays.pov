@@ -168,3 +168,54 @@ object { O[0] } sphere { 0, 1 pigment { P[0] } } sphere { 0, 1 texture { T[0] } 
 //= an array is no number
 #declare R = array[2] { 1, 2 } #declare A = R + 1;
 // error: D0204 at 1:45
+
+//= elements of @
+#declare A = array[2] { @, @ } #debug concat(str(defined(A[1]), 0, 0), "\n")
+// each: 1 '<1,2>' '<1,2,3>' '<1,2,3,4>' 'rgb 1' '"s"' 'sphere { 0, 1 }' 'texture { pigment { rgb 1 } }' 'pigment { rgb 1 }' 'normal { bumps }' 'finish { phong 1 }' 'color_map { [0 rgb 0] [1 rgb 1] }' 'array[1] { 1 }' 'function { x }' 'spline { 0, 1 }' 'transform { scale 2 }' 'camera { location 0 }' 'interior { ior 1.5 }' 'material { texture { pigment { rgb 1 } } }' 'fog { distance 1 }' 'sky_sphere { pigment { rgb 1 } }' 'light_source { 0, rgb 1 }'
+// expect: 1
+
+//= @ later
+#declare A = array[2] #declare A[1] = @ #debug concat(str(defined(A[0]), 0, 0), str(defined(A[1]), 0, 0), "\n")
+// each: '1;' '<1,2,3>;' 'rgb 1;' '"s"' 'sphere { 0, 1 }' 'texture { pigment { rgb 1 } }' 'pigment { rgb 1 }' 'array[1] { 1 }' 'function { x }' 'spline { 0, 1 }' 'transform { scale 2 }'
+// expect: 01
+
+//= three and four dimensions
+#declare A = array[2][1][2] { { { 1, 2 } }, { { 3, 4 } } } #declare B = array[1][1][1][2] { { { { 5, 6 } } } } #debug concat(str(A[1][0][1], 0, 0), str(B[0][0][0][1], 0, 0), "\n")
+// expect: 46
+
+//= a size that is a vector
+#declare A = array[x]
+// error: D0204 at 1:20
+
+//= a size that is a string
+#declare A = array["a"]
+// error: D0204 at 1:20
+
+//= a subscript that is a vector
+#declare A = array[2] { 1, 2 } #declare B = A[x];
+// error: D0204 at 1:47
+
+//= an array of arrays of functions
+#declare A = array[1] { array[1] { function(X) { X*7 } } } #debug concat(str(A[0][0](2), 0, 0), "\n")
+// expect: 14
+
+//= the whole array as an argument and a copy
+#declare A = array[2] { 1, 2 } #macro M(P) #debug concat(str(dimension_size(P, 1), 0, 0), "\n") #end M(A) #declare B = A; #debug concat(str(B[1], 0, 0), "\n")
+// expect: 2
+// expect: 2
+
+//= colours in arrays are single precision
+#declare A = array[1] { rgb 0.1 } #debug concat(str(A[0].red, 0, 12), "\n")
+// expect: 0.100000001490
+
+//= too few rows
+#declare A = array[2][2] { { 1, 2 } }
+// error: D0202 at 1:37
+
+//= too many rows
+#declare A = array[1][2] { { 1, 2 }, { 3, 4 } }
+// error: D0201 at 1:38
+
+//= elements that are not set in a copy
+#declare A = array[2] #declare A[0] = 1; #declare B = A; #debug concat(str(defined(B[0]), 0, 0), str(defined(B[1]), 0, 0), "\n")
+// expect: 10

@@ -180,3 +180,52 @@ global_settings { assumed_gamma 1 }
 //= too few arguments
 #declare S = spline { 0, 1 } #declare A = S();
 // error: D0202 at 1:43
+
+//= last digits
+#declare L = spline { linear_spline 0, <1,2.7> 1.1, <2.3,0> 2, <4.1,1> 3.7, <0,1.3> }
+#debug concat(vstr(2, L(1.795), ",", 0, 18), "\n")
+#debug concat(vstr(2, L(1.795, quadratic_spline), ",", 0, 18), "\n")
+#debug concat(vstr(2, L(1.795, cubic_spline), ",", 0, 18), "\n")
+#debug concat(vstr(2, L(1.795, natural_spline), ",", 0, 18), "\n")
+// expect: 3.689999999999999503,0.772222222222222143
+// expect: 3.631714772727271612,0.518213762626261509
+// expect: 3.944911450287184707,0.765064662327706868
+// expect: 3.850228236288375516,0.690366956452247327
+
+//= a negative key needs a comma before it
+#declare S = spline { -1, <1,0,0>, -0.5, <2,0,0>, 0, <3,0,0> } #debug concat(vstr(3, S(-0.75), ",", 0, 3), "\n")
+// expect: 1.500,0.000,0.000
+
+//= copies take another type
+#declare S = spline { linear_spline 0, <0,0,0> 1, <1,2,0> 2, <4,1,0> 3, <9,5,0> } #declare T = spline { S cubic_spline } #debug concat(vstr(3, T(1.5), ",", 0, 6), "\n")
+// expect: 2.250000,1.375000,0.000000
+
+//= @ of one entry
+#declare S = spline { @ 2, <1,2,3> } #debug concat(vstr(3, S(0), ",", 0, 3), vstr(3, S(5), ",", 0, 3), "\n")
+// each: linear_spline quadratic_spline cubic_spline natural_spline
+// expect: 1.000,2.000,3.0001.000,2.000,3.000
+
+//= @ outside of its keys
+#declare S = spline { @ 0, <0,0,0> 1, <1,2,0> 3, <4,1,0> } #debug concat(vstr(3, S(-9), ",", 0, 3), vstr(3, S(9), ",", 0, 3), "\n")
+// each: linear_spline quadratic_spline natural_spline
+// expect: 0.000,0.000,0.0004.000,1.000,0.000
+
+//= a cubic spline outside of its inner keys
+#declare S = spline { cubic_spline 0, <0,0,0> 1, <1,2,0> 3, <4,1,0> 4, <0,7,0> } #debug concat(vstr(3, S(-9), ",", 0, 3), vstr(3, S(0.5), ",", 0, 3), vstr(3, S(3.5), ",", 0, 3), vstr(3, S(2), ",", 0, 6), "\n")
+// expect: 1.000,2.000,0.0001.000,2.000,0.0004.000,1.000,0.0003.125000,1.000000,0.000000
+
+//= uneven keys in natural splines
+#declare S = spline { natural_spline 0, <0,0,0> 1, <1,2,0> 3, <4,1,0> 4, <0,7,0> } #debug concat(vstr(3, S(0.5), ",", 0, 6), vstr(3, S(2), ",", 0, 6), vstr(3, S(3.9), ",", 0, 6), "\n")
+// expect: 0.335938,1.328125,0.0000003.437500,0.750000,0.0000000.505188,6.263875,0.000000
+
+//= uneven keys in quadratic splines
+#declare S = spline { quadratic_spline 0, <0,0,0> 1, <1,2,0> 3, <4,1,0> 4, <0,7,0> } #debug concat(vstr(3, S(0.5), ",", 0, 6), vstr(3, S(2), ",", 0, 6), vstr(3, S(3.9), ",", 0, 6), "\n")
+// expect: 0.458333,1.208333,0.0000002.333333,2.333333,0.0000000.565000,6.205000,0.000000
+
+//= a string as a value
+#declare S = spline { 0, "a" }
+// error: D0204 at 1:26
+
+//= an unknown type
+#declare S = spline { b_spline 0, 1 }
+// error: D0201 at 1:23

@@ -94,3 +94,41 @@ global_settings { assumed_gamma 1 }
 #macro Twice(A) (A*2) #end #declare N = 3; #declare F = function { x #for (I,1,3) + I #end #if (N > 2) *10 #end }
 #debug concat(str(F(1,0,0), 0, 0), "\n")
 // expect: 34
+
+//= a list on a @ function
+#declare F = function(A) { @ }
+// each: 'pigment { rgb 1 }' 'pattern { bozo }' 'spline { 0, 1 }'
+// error: D0201 at 1:22
+
+//= a list on an internal function counts for nothing
+#declare F = function(A) { internal(57) } #debug concat(str(F(1,2,2), 0, 3), "\n")
+// expect: 3.000
+
+//= an internal function without a number
+#declare F = function { internal() }
+// error: D0201 at 1:33
+
+//= an internal function of a fraction
+#declare F = function { internal(57.9) } #debug concat(str(F(1,2,2), 0, 3), "\n")
+// expect: 3.000
+
+//= a negative internal function
+#declare F = function { internal(-1) }
+// error: D0302 at 1:33
+
+//= @ as parameter
+#declare F = function(A, @) { A + @ } #debug concat(str(F(1, 2), 0, 0), "\n")
+// each: x y z u v B
+// expect: 3
+
+//= t is no parameter
+#declare F = function(t) { 1 }
+// error: D0201 at 1:23
+
+//= a parameter named twice
+#declare F = function(A, A) { A } #debug concat(str(F(1, 2), 0, 0), "\n")
+// expect: 1
+
+//= a function of nothing
+#declare F = function { }
+// error: D0201 at 1:25

@@ -365,3 +365,68 @@ global_settings { assumed_gamma 1 }
 #declare F = function(x) { x + z }
 #debug concat(str(F(3), 0, 0), "\n")
 // expect: 3
+
+//= @ is not allowed in functions
+#declare F = function(X) { @(X) }
+// each: sqr cube seed rand vlength bitwise_or bitwise_xor strlen asc val vdot file_exists inside dimension_size vnormalize vrotate str concat chr defined
+// error: D0201 at 1:28
+
+//= @ is no operand of functions
+#declare F = function(X) { X + @ }
+// each: true false on off yes no version clock_on now t
+// error: D0201 at 1:32
+
+//= @ with too many arguments
+#declare F = function(X) { @(X, X) }
+// each: abs acos acosh asin asinh atan atanh ceil cos cosh degrees exp floor int ln log radians sin sinh sqrt tan tanh
+// error: D0202 at 1:28
+
+//= @ with too few arguments
+#declare F = function(X) { @(X) }
+// each: atan2 div mod min select
+// error: D0202 at 1:28
+
+//= sum and prod with too few arguments
+#declare F = function(X) { @(i, 1, X) }
+// each: sum prod
+// before
+// error: D0202 at 1:28
+
+//= member .@
+#declare P = function { pigment { rgbft <.1,.2,.3,.4,.5> } } #declare F = function { P(x,y,z).@ } #debug concat(str(F(0,0,0), 0, 6), "\n")
+// each: x u red
+// expect: 0.100000
+
+//= every member
+#declare P = function { pigment { rgbft <.1,.2,.3,.4,.5> } }
+#declare Fy = function { P(x,y,z).y } #declare Fv = function { P(x,y,z).v } #declare Fg = function { P(x,y,z).green } #declare Fz = function { P(x,y,z).z } #declare Fb = function { P(x,y,z).blue } #declare Ft = function { P(x,y,z).t } #declare Ff = function { P(x,y,z).filter } #declare Fm = function { P(x,y,z).transmit } #declare Fa = function { P(x,y,z).gray } #declare Fe = function { P(x,y,z).grey } #declare Fh = function { P(x,y,z).hf }
+#debug concat(str(Fy(0,0,0), 0, 6), str(Fv(0,0,0), 0, 6), str(Fg(0,0,0), 0, 6), str(Fz(0,0,0), 0, 6), str(Fb(0,0,0), 0, 6), str(Ft(0,0,0), 0, 6), "\n")
+#debug concat(str(Ff(0,0,0), 0, 6), str(Fm(0,0,0), 0, 6), str(Fa(0,0,0), 0, 6), str(Fe(0,0,0), 0, 6), str(Fh(0,0,0), 0, 9), "\n")
+// expect: 0.2000000.2000000.2000000.3000000.3000000.400000
+// expect: 0.4000000.5000000.1817000.1817000.100390551
+
+//= hf and grey only inside of bodies
+#declare P = function { pigment { rgb 0.5 } } #declare A = P(0,0,0).@;
+// each: hf grey
+// error: D0203 at 1:60
+
+//= a member of a float function
+#declare P = function(X) { X } #declare F = function(X) { P(X).x }
+// error: D0204 at 1:59
+
+//= a float function needs no member
+#declare F = function { pattern { gradient x } } #declare G = function { F(x,y,z)*2 } #debug concat(str(G(0.25,0,0), 0, 3), "\n")
+// expect: 0.500
+
+//= recursion
+#declare F = function(X) { F(X) } #debug concat(str(F(1), 0, 0), "\n")
+// before
+// error: D0203 at 1:28
+
+//= select evaluates what it chooses
+#declare F = function(X) { select(X, 1, 1/X) } #debug concat(str(F(-1), 0, 2), str(F(0), 0, 2), str(F(4), 0, 2), "\n")
+// expect: 1.00inf0.25
+
+//= a name in another scope
+#macro M() #local L = 5; #declare F = function(X) { X + L } #end M() #debug concat(str(F(1), 0, 0), "\n")
+// expect: 6

@@ -43,3 +43,27 @@ global_settings { assumed_gamma 1 }
 //= a function without arguments
 #declare F = function(X) { X } #declare A = F + 1;
 // error: D0204 at 1:45
+
+//= a string argument
+#declare F = function(X) { X } #declare A = F("a");
+// error: D0204 at 1:47
+
+//= a transform function is forward
+#declare F = function { transform { translate <1,2,3> scale 2 } } #debug concat(vstr(3, F(1,1,1), ",", 0, 3), "\n")
+// expect: 4.000,6.000,8.000
+
+//= a spline function with one argument
+#declare F = function { spline { 0, <0,0,0> 1, <1,2,3> } } #declare A = F(1,2);
+// error: D0202 at 1:73
+
+//= functions in arrays and arguments
+#declare A = array[1] { function(X) { X*5 } } #macro M(P) #debug concat(str(P(2), 0, 0), "\n") #end M(A[0])
+// expect: 10
+
+//= pattern functions keep their waves
+#declare F = function { pattern { gradient x sine_wave } } #declare G = function { pattern { gradient x frequency 2 phase 0.25 } } #debug concat(str(F(0.1,0,0), 0, 6), str(G(0.1,0,0), 0, 6), "\n")
+// expect: 0.7938930.450000
+
+//= pigment functions are turned and warped
+#declare F = function { pigment { gradient x turbulence 0.5 color_map { [0 rgb 0] [1 rgb 1] } rotate 90*z } } #debug concat(str(F(0.1,0.4,0.2).red, 0, 6), "\n")
+// expect: 0.255691

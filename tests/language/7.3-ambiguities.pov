@@ -77,3 +77,39 @@ sphere { 0, 1 pigment { gradient x color_map { [0 0.5 color rgb 1 color rgb 0] [
 #declare I = finish { phong 1 } sphere { 0, 1 finish { I ambient 0.2 } }
 #debug concat("fine", "\n")
 // expect: fine
+
+//= 11: filter of a colour
+#declare C = rgb 1 filter 0.5; #debug concat(str(C.filter, 0, 2), "\n")
+// expect: 0.50
+
+//= 12: words that are many things
+sphere { 0, 1 interior { ior 1 } normal { bumps } pigment { gradient x } finish { reflection { 0.5 falloff 1 } } } light_source { 0, rgb 1 spotlight falloff 30 point_at x } #debug "fine\n"
+// expect: fine
+
+//= 14: a sign after a key subtracts
+#declare X = 0.2; sphere { 0, 1 pigment { gradient x color_map { [0.5 -X rgb 1] [1 rgb 0] } } } #debug "fine\n"
+// expect: fine
+
+//= 16: types of splines as arguments
+#declare S = spline { 0, 1 1, 2 2, 9 } #debug concat(vstr(2, S(0.5, cubic_spline), ",", 0, 3), "\n")
+// expect: 2.000,2.000
+
+//= 19: everything is an object
+#declare L = light_source { 0, rgb 1 } #declare U = union { sphere { 0, 1 } light_source { 0, rgb 1 } } object { L } object { U } #debug "fine\n"
+// expect: fine
+
+//= 21: macros as operands of keywords
+#macro M() 2 #end #declare O = sphere { 0, 1 scale M() translate M() } #debug concat(vstr(3, max_extent(O), ",", 0, 0), "\n")
+// expect: 4,4,4
+
+//= 22: names before keywords in finishes
+#declare F = finish { phong 1 } sphere { 0, 1 finish { F } } #debug "fine\n"
+// expect: fine
+
+//= 22: but not after them
+#declare F = finish { phong 1 } sphere { 0, 1 finish { ambient 1 F } }
+// beyond
+
+//= 18: case in an if in a switch
+#switch (1) #case (1) #if (1) #debug "in " #end #break #case (2) #debug "no" #end #debug "out\n"
+// expect: in out

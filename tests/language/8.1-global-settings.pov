@@ -28,3 +28,58 @@ sphere { 0, 1 global_settings { max_trace_level 3 } }
 #declare F = function { internal(76) } global_settings { noise_generator 1 }
 #debug concat(str(F(0.3,1.7,-2.2), 0, 6), "\n")
 // expect: 0.527186
+
+//= item @
+global_settings { @ } #debug "fine\n"
+// each: 'adc_bailout 0' 'adc_bailout 0.01' 'ambient_light 0.5' 'ambient_light rgb <0.5,1,1>' 'assumed_gamma 2.2' 'assumed_gamma srgb' 'charset ascii' 'charset utf8' 'hf_gray_16' 'hf_gray_16 on' 'hf_gray_16 off' 'irid_wavelength rgb <0.25,0.18,0.14>'
+// each: 'max_intersections 64' 'max_trace_level 256' 'max_trace_level 0' 'max_trace_level 1000' 'max_trace_level -1' 'mm_per_unit 10' 'noise_generator 1' 'noise_generator 2' 'noise_generator 3' 'number_of_waves 1' 'number_of_waves 0' 'number_of_waves -3'
+// expect: fine
+
+//= item radiosity
+global_settings { radiosity { count 10 } } #debug "fine\n"
+// expect: fine
+// later: radiosity
+
+//= item photons
+global_settings { photons { count 1000 } } sphere { 0, 1 photons { target reflection on } } #debug "fine\n"
+// expect: fine
+// later: photons
+
+//= item subsurface
+global_settings { subsurface { samples 20, 10 radiosity off } } #debug "fine\n"
+// expect: fine
+// later: subsurface
+
+//= @ has no value
+global_settings { @
+}
+// each: adc_bailout assumed_gamma charset max_trace_level mm_per_unit noise_generator number_of_waves max_intersections
+// error: D0201 at 2:1
+
+//= unknown item @
+global_settings { @ 1 }
+// each: angle sphere Nothing phong count
+// error: D0214 at 1:19
+
+//= only the first assumed_gamma counts
+global_settings { assumed_gamma 2.2 } #declare C = srgb 0.5; #debug concat(str(C.red, 0, 5), "\n")
+// expect: 0.21404
+
+//= noise generator @ does not exist
+global_settings { noise_generator @ }
+// each: 0 4 -1 1000
+// error: D0302 at 1:19
+
+//= assumed_gamma must be positive: @
+global_settings { assumed_gamma @ }
+// each: 0 -1
+// error: D0302 at 1:19
+
+//= items in any order, with directives between
+global_settings { max_trace_level 3 #if (1) adc_bailout 0.1 #end #declare Q = 1; ambient_light 1 }
+#debug concat(str(Q, 0, 0), "\n")
+// expect: 1
+
+//= a name may not stand there
+#declare G = 1; global_settings { G }
+// error: D0201 at 1:35

@@ -15,16 +15,22 @@ Colour mix(const Colour& a, const Colour& b, double t) {
            between(a.transmit, b.transmit)};
 }
 
+bool has_quick_colour(const scene::Pigment& pigment) {
+  const vec3 c = pigment.quick_colour.rgb;
+  return c.x != -1 && c.y != -1 && c.z != -1;
+}
+
 bool opaque_colour(const Colour& c) { return c.filter == 0 && c.transmit == 0; }
 
 }  // namespace
 
 PigmentId PigmentStore::add(const scene::Pigment& pigment, const Transform& to_world) {
   Node node;
-  node.colour = pigment.colour;
+  const bool quick = quick_ && has_quick_colour(pigment);
+  node.colour = quick ? pigment.quick_colour : pigment.colour;
   const auto id = static_cast<PigmentId>(nodes_.size());
   nodes_.push_back(node);
-  if (!pigment.pattern.exists() || pigment.entries.empty()) return id;
+  if (quick || !pigment.pattern.exists() || pigment.entries.empty()) return id;
 
   std::vector<Entry> entries;
   for (const scene::PigmentEntry& e : pigment.entries) {

@@ -16,7 +16,9 @@ using PigmentId = std::uint32_t;
 /// All pigments of a compiled scene.
 class PigmentStore {
  public:
-  explicit PigmentStore(const scene::Settings& settings = {}) : patterns_(settings) {}
+  /// `quick`: quick colours are shown where pigments have them (textures §11.8).
+  explicit PigmentStore(const scene::Settings& settings = {}, bool quick = false)
+      : patterns_(settings), quick_(quick) {}
 
   /// Adds a pigment and everything below it. `to_world` leads from the space around the pigment to
   /// the world.
@@ -52,6 +54,7 @@ class PigmentStore {
   [[nodiscard]] Colour entry_colour(const Entry& entry, dvec3 p, const SurfaceView* view) const;
 
   PatternStore patterns_;
+  bool quick_;
   std::vector<Node> nodes_;
   std::vector<Entry> entries_;
 };

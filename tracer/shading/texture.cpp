@@ -15,9 +15,10 @@ std::size_t TextureStore::KeyHash::operator()(const Key& key) const {
   return h;
 }
 
-TextureStore::TextureStore(const scene::Scene& scene)
+TextureStore::TextureStore(const scene::Scene& scene, Quality quality)
     : scene_(&scene),
-      pigments_(scene.settings),
+      quality_(quality),
+      pigments_(scene.settings, quality.quick_colours),
       normals_(scene.settings),
       patterns_(scene.settings) {}
 
@@ -45,7 +46,7 @@ TextureProgram TextureStore::compile_layers(scene::TextureId id, const Transform
     out.finish = finish + static_cast<std::uint32_t>(i);
     out.by_uv = layer.pigment->uv_mapping;
     out.pigment = pigments_.add(*layer.pigment, out.by_uv ? Transform{} : placement);
-    if (layer.normal->pattern.exists()) {
+    if (quality_.normals && layer.normal->pattern.exists()) {
       out.normal_by_uv = layer.normal->uv_mapping;
       out.normal = normals_.add(*layer.normal, out.normal_by_uv ? Transform{} : placement);
     }

@@ -9,6 +9,7 @@
 
 #include "scene/scene.h"
 #include "tracer/patterns/map_search.h"
+#include "tracer/quality.h"
 #include "tracer/shading/finish.h"
 #include "tracer/shading/normal.h"
 #include "tracer/shading/pigment.h"
@@ -57,7 +58,7 @@ struct TextureChoice {
 /// All textures of a compiled scene.
 class TextureStore {
  public:
-  explicit TextureStore(const scene::Scene& scene);
+  explicit TextureStore(const scene::Scene& scene, Quality quality = Quality(9));
 
   /// The program of a texture at a place; the same one for the same place.
   ProgramId add(const scene::TextureUse& use);
@@ -94,6 +95,7 @@ class TextureStore {
   [[nodiscard]] std::uint32_t finishes_of(scene::TextureId texture);
 
   const scene::Scene* scene_;
+  Quality quality_;
   std::vector<TextureProgram> programs_;
   std::vector<LayerProgram> layers_;
   std::vector<TextureChoice> choices_;

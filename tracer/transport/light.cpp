@@ -54,7 +54,7 @@ vec3 Tracer::shade(const View& view, const LayerPoint& layer, const Light& light
 // Where nothing is translucent any blocker will do; otherwise the nearest ones are asked in turn,
 // which costs a lit point no more.
 vec3 Tracer::shadowed(const Light& light, const Incidence& in, dvec3 p, const Containment& inside) {
-  if (light.shadowless || in.distance <= 2 * t_shadow) return in.colour;
+  if (!quality_.shadows || light.shadowless || in.distance <= 2 * t_shadow) return in.colour;
   if (translucent_shadows_) return walk_shadow(in, p, inside);
   ++scratch_->rays;
   const bool blocked =

@@ -50,7 +50,7 @@ Tracer::Step Tracer::surface(const View& view, Path& path) {
   Step step;
   step.colour = layers.colour;
   // Reflections need the path as it arrived; transmission turns it into the one behind.
-  const bool see_through = layers.sigma > adc_;
+  const bool see_through = quality_.transparency && layers.sigma > adc_;
   if (scratch_->reflections.size() == first) {
     if (see_through) transmit(view, layers, path, step);
     return step;
@@ -78,6 +78,11 @@ Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
     if (i == first) sum.top = n;
     const Colour c =
         textures.pigments().at(program.pigment, program.by_uv ? view.uv : view.q, &seen);
+    if (!quality_.lights) {
+      sum.colour = c.rgb;
+      sum.sigma = std::min(sum.sigma, std::abs(grey(sum.through *= c.transmission())));
+      continue;
+    }
     const LayerPoint layer{&textures.finish(program), n, c.rgb, opacity(c)};
     const Finish& f = *layer.finish;
     vec3 rho(0.0F);
@@ -112,7 +117,7 @@ vec3 Tracer::remember_reflection(const View& view, const Path& path, const Layer
   const double cosi = -glm::dot(view.d, layer.n);
   const double n = f.fresnel ? fresnel_index(scene_->interiors, view.interior, path.inside) : 1;
   const Reflectivity r = reflectivity(f, cosi, n, layer.pigment);
-  if (r.rho != vec3(0.0F)) {
+  if (quality_.reflection && r.rho != vec3(0.0F)) {
     scratch_->reflections.push_back({&f, layer.n, r.rho, path.weight * sigma * r.weight});
   }
   return r.rho;

@@ -19,7 +19,8 @@ Tracer::Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha)
       adc_(scene.scene->settings.adc_bailout),
       alpha_(alpha),
       legacy_opacity_(scene.scene->settings.effective_version < 370),
-      translucent_shadows_(scene.geometry.has_translucent_shadows()) {}
+      translucent_shadows_(scene.geometry.has_translucent_shadows()),
+      quality_(scene.quality) {}
 
 // Transmitted rays are followed in the loop rather than by recursion: straight ones do not count as
 // a level, so that a ray may pass any number of them.

@@ -149,6 +149,7 @@ class Tracer {
   bool alpha_;
   bool legacy_opacity_;
   bool translucent_shadows_;
+  Quality quality_;
 };
 
 /// The mirror image of `d` about `n`, kept on the side of `g` (shading §4.8).
