@@ -28,7 +28,7 @@ struct FieldCell {
     outside,  // everywhere above it
     smooth,   // on both sides perhaps; the slopes are known well
     rough,    // likewise, but they are not, and the cell is as small as cells get
-    mixed,    // likewise, and it has children, or will have
+    mixed,    // likewise, and it has halves, or will have
   };
   State state = State::rough;
   std::uint8_t axis = 0;  // mixed: across which it is halved

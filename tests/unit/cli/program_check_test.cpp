@@ -39,9 +39,9 @@ TEST_CASE("program: what came to light while rendering names its object",
               "  function { 2.5 - 5*F(x, y, z/9 + 0.5) } max_gradient 0.2 }\n");
   const test::Run text = run("+Isteep.pov +W16 +H12 -O-");
   CAPTURE(text.err);
-  CHECK(has(text.err, "warning[D0501]: the function of this `isosurface` has slopes of 0.556"));
+  CHECK(has(text.err, "warning[D0501]: the function of this `isosurface` has slopes of 0.555"));
   CHECK(has(text.err, "--> steep.pov:4:1"));
-  CHECK(has(text.err, "write `max_gradient 0.556`"));
+  CHECK(has(text.err, "write `max_gradient 0.555`"));
   const test::Run json = run("--diagnostics=json +Isteep.pov +W16 +H12 -O-");
   CHECK(has(json.err, "\"code\":\"D0501\""));
 }
