@@ -56,7 +56,6 @@ struct Face {
   Quad v;
 };
 
-/// `offset`: where the corners lie.
 template <class Quad>
 DURER_INLINE Face<Quad> face_of(const Cell& cell, const int (&corner)[4], const Ball (&f)[3]) {
   const double* const a = cell.row[corner[0]];

@@ -45,53 +45,35 @@ double FieldSearch::value(double t) {
 
 void FieldSearch::walk(const FieldCell& cell, const dvec3& centre, const dvec3& half, int depth,
                        double t0, double t1) {
-  if (cell.state != FieldCell::State::mixed) return examine(cell, centre, t0, t1);
+  using State = FieldCell::State;
+  if (t1 <= t_from_) return void(sign_ = 0);  // it may change there
+  if (t0 >= t_to_) done_ = true;
+  if (done_) return;
+  if (cell.state == State::inside) return settle(-1, t0);
+  if (cell.state == State::outside) return settle(1, t0);
   if (const int sign = sign_over(cell, centre, t0, t1); sign != 0) return settle(sign, t0);
-  const FieldBlock& children = field_.children(cell, centre, half, depth);
-  // The middle planes that lie between, in the order in which the line crosses them.
-  struct Plane {
-    double t;
-    unsigned bit;
+  if (cell.state != State::mixed) return examine(cell, centre, t0, t1);
+
+  const FieldHalves& halves = field_.halves(cell, centre, half, depth);
+  const int k = cell.axis;
+  const double middle = (centre[k] - ray_.o[k]) * inverse_[k];
+  const bool rising = ray_.d[k] > 0;
+  dvec3 part = half;
+  part[k] *= 0.5;
+  const auto enter = [&](bool higher, double from, double to) {
+    dvec3 at = centre;
+    at[k] += higher ? part[k] : -part[k];
+    walk(halves.cells[higher ? 1 : 0], at, part, depth + 1, from, to);
   };
-  std::array<Plane, 3> planes;  // NOLINT: filled as far as counted
-  std::size_t count = 0;
-  unsigned child = 0;
-  for (int k = 0; k < 3; ++k) {
-    const unsigned bit = 1U << static_cast<unsigned>(k);
-    if (ray_.d[k] == 0) {
-      if (ray_.o[k] >= centre[k]) child |= bit;
-      continue;
-    }
-    const double t = (centre[k] - ray_.o[k]) * inverse_[k];
-    if ((t <= t0) == (ray_.d[k] > 0)) child |= bit;
-    if (!(t > t0 && t < t1)) continue;
-    std::size_t at = count++;
-    for (; at > 0 && planes[at - 1].t > t; --at) planes[at] = planes[at - 1];
-    planes[at] = {t, bit};
-  }
-  const dvec3 quarter = half * 0.5;
-  double from = t0;
-  for (std::size_t i = 0; i <= count; ++i) {
-    const double to = i < count ? planes[i].t : t1;
-    if (to <= t_from_) {
-      sign_ = 0;  // it may change there
-    } else if (from >= t_to_ || done_) {
-      done_ = true;
-      return;
-    } else if (from < to) {
-      if ((children.inside >> child & 1U) != 0) {
-        settle(-1, from);
-      } else if ((children.outside >> child & 1U) != 0) {
-        settle(1, from);
-      } else {
-        const dvec3 at = centre + dvec3((child & 1) != 0 ? quarter.x : -quarter.x,
-                                        (child & 2) != 0 ? quarter.y : -quarter.y,
-                                        (child & 4) != 0 ? quarter.z : -quarter.z);
-        walk(children.cells[child], at, quarter, depth + 1, from, to);
-      }
-    }
-    if (i < count) child ^= planes[i].bit;
-    from = to;
+  if (ray_.d[k] == 0) {
+    enter(ray_.o[k] >= centre[k], t0, t1);
+  } else if (middle <= t0) {
+    enter(rising, t0, t1);
+  } else if (middle >= t1) {
+    enter(!rising, t0, t1);
+  } else {
+    enter(!rising, t0, middle);
+    enter(rising, middle, t1);
   }
 }
 
@@ -141,10 +123,6 @@ FieldSearch::Band FieldSearch::clip(const FieldCell& cell, const dvec3& centre, 
 
 /// Looks for changes of sign in the part t0 … t1 of the line, which lies in the cell.
 void FieldSearch::examine(const FieldCell& cell, const dvec3& centre, double t0, double t1) {
-  using State = FieldCell::State;
-  if (cell.state == State::inside) return settle(-1, t0);
-  if (cell.state == State::outside) return settle(1, t0);
-
   if (tape_ != cell.tape) {
     tape_ = cell.tape;
     evaluator_.emplace(*tape_, workspace_);

@@ -10,8 +10,8 @@ namespace {
 using functions::Function;
 using State = FieldCell::State;
 
-/// Cells are split at most this often: 256 cells along an edge of the box.
-constexpr int depth_limit = 8;
+/// Cells are halved at most this often: a hundred cells or so along each edge of the box.
+constexpr int depth_limit = 20;
 /// Slopes are known well if they vary by less than this share of the gradient.
 constexpr double smoothness = 0.35;
 
@@ -21,11 +21,32 @@ float rounded_up(double v) {
   return static_cast<double>(f) < v ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
 }
 
-void delete_children(const FieldCell& cell) {
-  const FieldBlock* block = cell.children.load(std::memory_order_relaxed);
-  if (block == nullptr) return;
-  for (const FieldCell& child : block->cells) delete_children(child);
-  delete block;
+void delete_halves(const FieldCell& cell) {
+  const FieldHalves* halves = cell.halves.load(std::memory_order_relaxed);
+  if (halves == nullptr) return;
+  for (const FieldCell& half : halves->cells) delete_halves(half);
+  delete halves;
+}
+
+/// The axis along which the function and its slope vary most over a cell, as far as is known; else
+/// the longest. What varies in slope counts twice: it is what keeps searches from being short.
+std::uint8_t axis_to_halve(const Trend& trend, const dvec3& half) {
+  int best = 0;
+  double most = -1;
+  bool known = true;
+  for (int k = 0; k < 3; ++k) {
+    const Interval& d = trend.d[static_cast<std::size_t>(k)];
+    known = known && !d.nan && d.is_bounded();
+  }
+  for (int k = 0; k < 3; ++k) {
+    const Interval& d = trend.d[static_cast<std::size_t>(k)];
+    const double steepest = known ? std::max(std::abs(d.lo), std::abs(d.hi)) + 2 * (d.hi - d.lo) : 1;
+    if (steepest * half[k] > most) {
+      most = steepest * half[k];
+      best = k;
+    }
+  }
+  return static_cast<std::uint8_t>(best);
 }
 
 }  // namespace
@@ -55,24 +76,23 @@ FunctionField::FunctionField(functions::FunctionRef function, double threshold, 
   if (has_bounds_) examine(root_, centre(), half(), 0, function_workspace(generator_));
 }
 
-FunctionField::~FunctionField() { delete_children(root_); }
+FunctionField::~FunctionField() { delete_halves(root_); }
 
-const FieldBlock& FunctionField::split(const FieldCell& cell, const dvec3& centre,
-                                       const dvec3& half, int depth) const {
+const FieldHalves& FunctionField::split(const FieldCell& cell, const dvec3& centre,
+                                        const dvec3& half, int depth) const {
   functions::Workspace& workspace = function_workspace(generator_);
-  auto made = std::make_unique<FieldBlock>();
-  const dvec3 quarter = half * 0.5;
-  for (unsigned i = 0; i < 8; ++i) {
-    const dvec3 side((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
-    FieldCell& child = made->cells[i];
-    child.tape = cell.tape;
-    examine(child, centre + side * quarter, quarter, depth + 1, workspace);
-    if (child.state == State::inside) made->inside |= 1U << i;
-    if (child.state == State::outside) made->outside |= 1U << i;
+  auto made = std::make_unique<FieldHalves>();
+  dvec3 part = half;
+  part[cell.axis] *= 0.5;
+  for (std::size_t i = 0; i < 2; ++i) {
+    dvec3 middle = centre;
+    middle[cell.axis] += i == 0 ? -part[cell.axis] : part[cell.axis];
+    made->cells[i].tape = cell.tape;
+    examine(made->cells[i], middle, part, depth + 1, workspace);
   }
   // Another thread may have been faster; its cells are the same.
-  const FieldBlock* expected = nullptr;
-  if (cell.children.compare_exchange_strong(expected, made.get(), std::memory_order_acq_rel)) {
+  const FieldHalves* expected = nullptr;
+  if (cell.halves.compare_exchange_strong(expected, made.get(), std::memory_order_acq_rel)) {
     return *made.release();
   }
   return *expected;
@@ -101,14 +121,14 @@ void FunctionField::examine(FieldCell& cell, const dvec3& centre, const dvec3& h
     cell.slope[k] = static_cast<float>(d.mid());
     cell.spread[k] = rounded_up(std::max(d.hi - static_cast<double>(cell.slope[k]),
                                          static_cast<double>(cell.slope[k]) - d.lo));
-    const double extent = half[static_cast<int>(k)];
-    steepness += std::pow(static_cast<double>(cell.slope[k]) * extent, 2);
-    variation += std::pow(static_cast<double>(cell.spread[k]) * extent, 2);
+    steepness += std::pow(static_cast<double>(cell.slope[k]), 2);
+    variation += std::pow(static_cast<double>(cell.spread[k]), 2);
   }
   known = known && std::isfinite(steepness) && std::isfinite(variation);
   const bool smooth = known && variation <= smoothness * smoothness * steepness;
   cell.state = smooth ? State::smooth : depth < depth_limit ? State::mixed : State::rough;
   cell.error = std::numeric_limits<float>::infinity();
+  cell.axis = axis_to_halve(trend, half);
   if (!known) return;
   cell.value = functions::evaluate(*cell.tape, std::array{centre.x, centre.y, centre.z}, workspace) -
                threshold_;

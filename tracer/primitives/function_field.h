@@ -19,7 +19,7 @@ namespace durer::tracer {
 /// False if some value in the function comes from outside and cannot be bounded over boxes.
 [[nodiscard]] bool can_be_bounded(const functions::Function& f);
 
-struct FieldBlock;
+struct FieldHalves;
 
 /// Where a function lies in relation to a threshold, over a cell of space.
 struct FieldCell {
@@ -28,9 +28,10 @@ struct FieldCell {
     outside,  // everywhere above it
     smooth,   // on both sides perhaps; the slopes are known well
     rough,    // likewise, but they are not, and the cell is as small as cells get
-    mixed,    // likewise, and it has children, or will have
+    mixed,    // likewise, and it has halves, or will have
   };
   State state = State::rough;
+  std::uint8_t axis = 0;  // mixed: across which it is halved
   /// At a point c + q of the cell, c its centre, the function lies within
   /// value + slope · q ± error above the threshold; its slope along axis k is slope[k] ± spread[k].
   float error = 0;
@@ -39,15 +40,12 @@ struct FieldCell {
   std::array<float, 3> spread{};
   /// The function, without what makes no difference in this cell.
   const functions::Function* tape = nullptr;
-  mutable std::atomic<const FieldBlock*> children{nullptr};
+  mutable std::atomic<const FieldHalves*> halves{nullptr};
 };
 
-/// The eight parts of a cell: bit k of an index is set where coordinate k is higher.
-struct FieldBlock {
-  // Which of them are decided; a line that passes those need not look at them.
-  unsigned inside = 0;
-  unsigned outside = 0;
-  std::array<FieldCell, 8> cells;
+/// The lower and the higher half of a cell.
+struct FieldHalves {
+  std::array<FieldCell, 2> cells;
 };
 
 /// A function g(x, y, z) = f - threshold in a box. Cells depend on the function alone, not on who
@@ -68,10 +66,10 @@ class FunctionField {
   [[nodiscard]] const FieldCell& root() const { return root_; }
   [[nodiscard]] dvec3 centre() const { return (box_.lo + box_.hi) * 0.5; }
   [[nodiscard]] dvec3 half() const { return (box_.hi - box_.lo) * 0.5; }
-  /// The parts of a mixed cell.
-  [[nodiscard]] const FieldBlock& children(const FieldCell& cell, const dvec3& centre,
-                                           const dvec3& half, int depth) const {
-    const FieldBlock* made = cell.children.load(std::memory_order_acquire);
+  /// The halves of a mixed cell, across its axis.
+  [[nodiscard]] const FieldHalves& halves(const FieldCell& cell, const dvec3& centre,
+                                          const dvec3& half, int depth) const {
+    const FieldHalves* made = cell.halves.load(std::memory_order_acquire);
     return made != nullptr ? *made : split(cell, centre, half, depth);
   }
 
@@ -79,8 +77,8 @@ class FunctionField {
   [[nodiscard]] bool has_bounds() const { return has_bounds_; }
 
  private:
-  const FieldBlock& split(const FieldCell& cell, const dvec3& centre, const dvec3& half,
-                          int depth) const;
+  const FieldHalves& split(const FieldCell& cell, const dvec3& centre, const dvec3& half,
+                           int depth) const;
   void examine(FieldCell& cell, const dvec3& centre, const dvec3& half, int depth,
                functions::Workspace& workspace) const;
 

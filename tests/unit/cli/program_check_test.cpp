@@ -28,6 +28,24 @@ TEST_CASE("program: check reads and renders nothing", "[cli][program][check]") {
   CHECK_FALSE(fs::exists("a.png"));
 }
 
+TEST_CASE("program: what came to light while rendering names its object",
+          "[cli][program][diagnostics]") {
+  const test::Folder folder;
+  folder.file("steep.pov",
+              "#version 3.7; global_settings { assumed_gamma 1 }\n"
+              "camera { location -3*z look_at 0 }\n"
+              "#declare F = function { pattern { gradient z } }\n"
+              "isosurface {\n"
+              "  function { 2.5 - 5*F(x, y, z/9 + 0.5) } max_gradient 0.2 }\n");
+  const test::Run text = run("+Isteep.pov +W16 +H12 -O-");
+  CAPTURE(text.err);
+  CHECK(has(text.err, "warning[D0501]: the function of this `isosurface` has slopes of 0.555"));
+  CHECK(has(text.err, "--> steep.pov:4:1"));
+  CHECK(has(text.err, "write `max_gradient 0.555`"));
+  const test::Run json = run("--diagnostics=json +Isteep.pov +W16 +H12 -O-");
+  CHECK(has(json.err, "\"code\":\"D0501\""));
+}
+
 TEST_CASE("program: check fails if one scene is bad, and looks at all", "[cli][program][check]") {
   const test::Folder folder;
   folder.file("a.pov", scene);

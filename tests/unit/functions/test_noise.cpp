@@ -3,6 +3,7 @@
 
 #include "functions/noise.h"
 #include "functions/noise_tables.h"
+#include "functions/simd/noise_bound_kernel.h"
 #include "functions/simd/noise_kernels.h"
 #include "tests/support/catch.h"
 
@@ -202,5 +203,25 @@ TEST_CASE("noise: gradients agree with differences", "[functions][noise][gradien
           FAIL("gradient " << d.d[k] << " for " << difference);
       }
     }
+  }
+}
+
+TEST_CASE("noise: every instruction set gives the same bounds", "[functions][noise][interval]") {
+  std::mt19937 rng(21);
+  std::uniform_real_distribution<double> u(0, 1);
+  for (const dvec3& p : random_points(2000, 60.0)) {
+    simd::Ball box[3];
+    for (simd::Ball& b : box) {
+      b.m = u(rng);
+      b.r = u(rng) * std::min(b.m, 1 - b.m);
+    }
+    const Cell cell = table_cell(p.x, p.y, p.z);
+    const simd::NoiseBound a = simd::noise_bound(cell, box, 0);
+    const simd::NoiseBound b = simd::noise_bound(cell, box, 1);
+    bool same = a.lo == b.lo && a.hi == b.hi;
+    for (int k = 0; k < 3; ++k) {
+      same = same && a.slope_lo[k] == b.slope_lo[k] && a.slope_hi[k] == b.slope_hi[k];
+    }
+    REQUIRE(same);
   }
 }
