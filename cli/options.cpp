@@ -39,8 +39,8 @@ Option{"End_Row",            "ER", Form::value, "", "", "n", "last row to render
 // Sampling
 Option{"Antialias",          "A",  Form::flag,  "Antialias_Threshold", "antialias", "[x]", "anti-aliasing, with its threshold; default off, 0.3", Group::sampling, apply::boolean<&S::antialias>},
 Option{"Antialias_Threshold","",   Form::value, "", "", "x", "refine where neighbours differ by this, 0 to 1", Group::sampling, apply::fraction<&S::aa_threshold>},
-Option{"Sampling_Method",    "AM", Form::value, "", "", "n", "0 none, 1 n*n+1 samples; 2 is not supported yet", Group::sampling, apply::clamped_whole<&S::sampling_method, 0, 2>},
-Option{"Antialias_Depth",    "R",  Form::value, "", "", "n", "n in n*n+1 samples, 1 to 9; default 3", Group::sampling, apply::clamped_whole<&S::aa_depth, 1, 9>},
+Option{"Sampling_Method",    "AM", Form::value, "", "", "n", "0 none, 1 n*n+1 samples where neighbours differ, 2 pixels are divided where their corners differ", Group::sampling, apply::clamped_whole<&S::sampling_method, 0, 2>},
+Option{"Antialias_Depth",    "R",  Form::value, "", "", "n", "n in n*n+1 samples, or at most n-1 divisions; 1 to 9, default 3", Group::sampling, apply::clamped_whole<&S::aa_depth, 1, 9>},
 Option{"Jitter",             "J",  Form::flag,  "Jitter_Amount", "", "[x]", "move the samples at random, by this share of their distance; default on, 1", Group::sampling, apply::boolean<&S::jitter>},
 Option{"Jitter_Amount",      "",   Form::value, "", "", "x", "0 to 1", Group::sampling, apply::fraction<&S::jitter_amount>},
 Option{"Antialias_Gamma",    "AG", Form::value, "", "", "x", "curve in which neighbours are compared; default 2.5", Group::sampling, apply::aa_gamma},
@@ -184,12 +184,6 @@ const Option* option_of_switch(std::string_view text) {
   return best;
 }
 
-Problem check(const Settings& s) {
-  if (auto problem = check_untrusted(s)) return problem;
-  if (s.antialias && s.sampling_method == 2) {
-    return "anti-aliasing by Sampling_Method=2 is not supported yet, only 1";
-  }
-  return {};
-}
+Problem check(const Settings& s) { return check_untrusted(s); }
 
 }  // namespace durer::cli
