@@ -62,6 +62,7 @@ image::Encoding encoding_of(const Settings& s, const scene::Settings& scene) {
   e.bits = s.bits;
   e.greyscale = s.greyscale;
   e.alpha = s.alpha;
+  if (s.dither) e.dither = s.dither_method;
   e.compression = s.compressed_tga ? 1 : s.compression;
   return e;
 }
