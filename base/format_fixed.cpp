@@ -48,6 +48,23 @@ bool scaled(std::uint64_t bits, int places, std::uint64_t& out) {
   return true;
 }
 
+/// Writes at least `least` digits before `at`, two with every division.
+void put_digits(std::uint64_t digits, int least, char*& at) {
+  static constexpr char pairs[] =
+      "00010203040506070809101112131415161718192021222324252627282930313233343536373839404142434445"
+      "46474849505152535455565758596061626364656667686970717273747576777879808182838485868788899091"
+      "9293949596979899";
+  char* const stop = at - least;
+  while (digits >= 10) {
+    const char* pair = pairs + 2 * (digits % 100);
+    digits /= 100;
+    *--at = pair[1];
+    *--at = pair[0];
+  }
+  if (digits > 0) *--at = static_cast<char>('0' + digits);
+  while (at > stop) *--at = '0';
+}
+
 }  // namespace
 
 std::string_view format_fixed(double value, int places, char (&buffer)[format_fixed_size]) {
@@ -60,14 +77,13 @@ std::string_view format_fixed(double value, int places, char (&buffer)[format_fi
   }
   char* const end = buffer + format_fixed_size;
   char* at = end;
-  const auto put = [&] {
-    *--at = static_cast<char>('0' + digits % 10);
-    digits /= 10;
-  };
-  for (int i = 0; i < places; ++i) put();
-  if (places > 0) *--at = '.';
-  do put();
-  while (digits > 0);
+  if (places > 0) {
+    const std::uint64_t whole = digits / powers_of_ten[places];
+    put_digits(digits - whole * powers_of_ten[places], places, at);
+    *--at = '.';
+    digits = whole;
+  }
+  put_digits(digits, 1, at);
   if (bits >> 63 != 0) *--at = '-';
   return {at, static_cast<std::size_t>(end - at)};
 }

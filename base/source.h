@@ -4,8 +4,10 @@
 
 #include <cstdint>
 #include <deque>
+#include <mutex>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace durer {
 
@@ -35,14 +37,17 @@ struct Place {
   std::uint32_t column = 0;
 };
 
-/// Owns the text of every file read in a run. Texts never move, so views stay valid.
+/// Owns the text of every file read in a run. Texts never move, so views stay valid until `rest`.
 class SourceMap {
  public:
   /// Adds a file and returns its id. Fails (assert) beyond 4 GiB of text in all.
   FileId add(std::string path, std::string text);
 
   [[nodiscard]] std::string_view path(FileId file) const { return files_[file].path; }
-  [[nodiscard]] std::string_view text(FileId file) const { return files_[file].text; }
+  [[nodiscard]] std::string_view text(FileId file) const { return awake(files_[file]); }
+  /// Gives back the memory of texts of at least `least` bytes that can be read again from their
+  /// files: only a message would still need them. Ends all views of texts.
+  void rest(std::size_t least);
   /// Offset of the first byte of `file` in the virtual text.
   [[nodiscard]] Loc base(FileId file) const { return files_[file].base; }
   [[nodiscard]] std::size_t size() const { return files_.size(); }
@@ -57,10 +62,15 @@ class SourceMap {
  private:
   struct File {
     std::string path;
-    std::string text;
+    mutable std::string text;
     Loc base;
+    std::size_t size;
+    mutable bool rests = false;
+    std::vector<std::uint32_t> lines;  // offsets of the line breaks, once it has rested
   };
+  [[nodiscard]] const std::string& awake(const File& file) const;
   std::deque<File> files_;  // a deque: texts must not move
+  mutable std::mutex waking_;
   Loc next_ = 1;
 };
 

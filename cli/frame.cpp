@@ -44,13 +44,19 @@ class Render {
     }
     announce();
     const auto frame = read_frame(settings_, text, task_, console_);
+    constexpr std::size_t large = 1 << 20;  // bytes
+    frame->sources.rest(large);
     tracer::CompiledScenePtr compiled;
     if (frame->scene) compiled = tracer::compile(*frame->scene, frame->diagnostics, settings_.quality);
     console_.print(frame->diagnostics);
     if (!compiled || frame->diagnostics.has_errors()) return exit_code::error;
     stop_ = &interrupts_set_flag();  // from here on there is something to keep
     console_.print(Stream::render, assumptions(settings_, frame->scene->settings, frame->assumed) + "\n");
-    return trace(*frame->scene, *compiled, *window);
+    const int code = trace(*frame->scene, *compiled, *window);
+    Diagnostics events(frame->sources);
+    tracer::report_events(*compiled, events);
+    console_.print(events);
+    return code;
   }
 
  private:

@@ -29,8 +29,8 @@ enum class Member { x, y, z, t, u, v, red, green, blue, filter, transmit, gray, 
 /// A value inside a function under construction.
 struct Value {
   Register index = 0;
-  /// How it was written, which some rewriting depends on: a single number, a product of numbers (a
-  /// negated one too), or a sum that ends in either. Parentheses take that away: see
+  /// How it was written, which some rewriting depends on: a single number, numbers with operators
+  /// (which hold a sum in calls only), or a sum that ends in either. Parentheses take that away: see
   /// FunctionBuilder::group.
   enum class Form : std::uint8_t { other, literal, product, open_sum };
   Form form = Form::other;

@@ -1,4 +1,4 @@
-// The four ways to evaluate a compiled function.
+// The ways to evaluate a compiled function.
 #pragma once
 
 #include <cstdint>
@@ -61,11 +61,12 @@ struct Workspace {
   FrameStack<Pack> batches;
   FrameStack<Interval> boxes;
   FrameStack<Dual> gradients;
+  FrameStack<Trend> trends;
 };
 
 /// Evaluates one function again and again: its frame and constants are set up once. T is double (a
-/// point), Pack (eight points), Interval (a box; encloses what points inside it give) or Dual
-/// (value and gradient, by whatever the arguments' gradients refer to). Evaluators on one workspace
+/// point), Pack (eight points), Interval (a box; encloses what points inside it give), Dual (value
+/// and gradient, by whatever the arguments' gradients refer to) or Trend (both over a box). Evaluators on one workspace
 /// must end in the opposite order of their beginning.
 template <class T>
 class Evaluator {
@@ -95,6 +96,8 @@ class Evaluator {
                                      Workspace& w);
 /// Value and gradient by the first three parameters.
 [[nodiscard]] Dual evaluate_gradient(const Function& f, dvec3 p, Workspace& w);
+/// Range and slopes over a box, by the first three parameters.
+[[nodiscard]] Trend evaluate_trend(const Function& f, std::span<const Interval> box, Workspace& w);
 /// All components; `out` has f.components() places.
 void evaluate(const Function& f, std::span<const double> arguments, std::span<double> out,
               Workspace& w);

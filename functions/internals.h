@@ -29,5 +29,6 @@ inline constexpr int max_internal_arguments = 13;
 [[nodiscard]] Interval internal_value(int number, const Interval* arguments,
                                       const Context& context);
 [[nodiscard]] Dual internal_value(int number, const Dual* arguments, const Context& context);
+[[nodiscard]] Trend internal_value(int number, const Trend* arguments, const Context& context);
 
 }  // namespace durer::functions

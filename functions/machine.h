@@ -28,10 +28,13 @@ enum Side : unsigned { negative_side = 1, zero_side = 2, positive_side = 4 };
          (c.hi > 0 || c.nan ? positive_side : 0u);
 }
 
+[[nodiscard]] inline unsigned sides(const Trend& c) { return sides(c.v); }
+
 [[nodiscard]] inline FrameStack<double>& frames(Workspace& w, double) { return w.points; }
 [[nodiscard]] inline FrameStack<Pack>& frames(Workspace& w, const Pack&) { return w.batches; }
 [[nodiscard]] inline FrameStack<Interval>& frames(Workspace& w, const Interval&) { return w.boxes; }
 [[nodiscard]] inline FrameStack<Dual>& frames(Workspace& w, const Dual&) { return w.gradients; }
+[[nodiscard]] inline FrameStack<Trend>& frames(Workspace& w, const Trend&) { return w.trends; }
 
 // ---- functions from outside
 // ----------------------------------------------------------------------
@@ -39,6 +42,7 @@ void call_external(const External& e, const Context& c, const double* a, double*
 void call_external(const External& e, const Context& c, const Pack* a, Pack* out);
 void call_external(const External& e, const Context& c, const Interval* a, Interval* out);
 void call_external(const External& e, const Context& c, const Dual* a, Dual* out);
+void call_external(const External& e, const Context& c, const Trend* a, Trend* out);
 
 template <class T>
 [[nodiscard]] bool loop_is_unbounded(const T&, const T&) {
@@ -47,6 +51,10 @@ template <class T>
 /// Ranges of counters are followed turn by turn only while that is cheap.
 [[nodiscard]] inline bool loop_is_unbounded(const Interval& from, const Interval& to) {
   return !(from.is_point() && to.is_point()) && !(to.hi - from.lo <= 1000);
+}
+
+[[nodiscard]] inline bool loop_is_unbounded(const Trend& from, const Trend& to) {
+  return loop_is_unbounded(from.v, to.v);
 }
 
 /// Executes one tape on one frame of registers.
@@ -153,6 +161,8 @@ class Machine {
   static T merged(const T& condition, unsigned bit, bool two_way, const T& value, const T& others) {
     if constexpr (std::is_same_v<T, Interval>) {
       return hull(value, others);
+    } else if constexpr (std::is_same_v<T, Trend>) {
+      return Trend::erratic(hull(value.v, others.v));
     } else if (bit == zero_side) {
       return where(eq(condition, T(0)), value, others);
     } else {  // positive: neither negative nor zero, so that NaN counts as positive

@@ -7,6 +7,7 @@
 
 #include "base/dual.h"
 #include "base/interval.h"
+#include "base/trend.h"
 #include "base/vec.h"
 
 namespace durer::functions {
@@ -27,6 +28,10 @@ void noise(std::span<const dvec3> points, NoiseGenerator generator, std::span<do
 [[nodiscard]] Interval noise(Interval x, Interval y, Interval z, NoiseGenerator generator);
 /// Noise and its derivatives; where the value is clamped the gradient is 0.
 [[nodiscard]] Dual noise(const Dual& x, const Dual& y, const Dual& z, NoiseGenerator generator);
+
+/// Both of them over a box.
+[[nodiscard]] Trend noise(const Trend& x, const Trend& y, const Trend& z,
+                          NoiseGenerator generator);
 
 /// Vector noise, about [-1, 1] per component; the same for all generators (textures §2.4).
 [[nodiscard]] dvec3 vnoise(dvec3 p);

@@ -1,28 +1,28 @@
 // Bounds and derivatives of the scalar noise: what interval and gradient evaluation need.
 #include <array>
+#include <optional>
 
 #include "functions/noise.h"
 #include "functions/noise_cell.h"
+#include "functions/simd/noise_bound_kernel.h"
 
 namespace durer::functions {
 namespace {
 
-/// Covers the rounding of the value and the hair's breadth by which the cells of generators 1 and 2
-/// overlap below zero (1e-10 times a gradient below 10).
-constexpr double pad = 1e-8;
+using simd::Ball;
+
+/// Covers the rounding of the value, the hair's breadth by which the cells of generators 1 and 2
+/// overlap below zero (1e-10 times a gradient below 10), and slivers.
+constexpr double pad = 3e-8;
+/// A box that reaches into a cell by less than this is taken to end at its border: boxes are often
+/// aligned with the lattice. Value and gradient are continuous there, and change little beyond.
+constexpr double sliver = 4e-9;
 /// A box over more cells is bounded by the range of the noise: nothing better would come out.
 constexpr int max_cells = 8;
 
 Cell cell_at(double x, double y, double z, NoiseGenerator generator) {
   return generator == 3 ? gradient_cell(gradient_lattice(), x, y, z) : table_cell(x, y, z);
 }
-
-/// A range as middle and radius: shorter formulas than with two ends. Rounding is left to `pad`.
-struct Ball {
-  double m = 0;
-  double r = 0;
-};
-using Box = std::array<Ball, 3>;
 
 /// A linear function of the position in the cell: c[0] + c[1] fx + c[2] fy + c[3] fz.
 using Linear = std::array<double, 4>;
@@ -34,73 +34,31 @@ Linear corner_function(const Cell& cell, int corner) {
   const int dz = corner >> 2;
   return {g[0] - dx * g[1] - dy * g[2] - dz * g[3], g[1], g[2], g[3]};
 }
-Ball over(const Linear& f, const Box& b) {
-  return {f[0] + f[1] * b[0].m + f[2] * b[1].m + f[3] * b[2].m,
-          std::abs(f[1]) * b[0].r + std::abs(f[2]) * b[1].r + std::abs(f[3]) * b[2].r};
-}
-/// The weighted mean a + s (b - a) for weights s in [0, 1].
-Ball mix(const Ball& a, const Ball& b, const Ball& s) {
-  return {a.m + s.m * (b.m - a.m),
-          a.r + s.m * (b.r - a.r) + s.r * (std::abs(b.m - a.m) + a.r + b.r)};
-}
-Ball mix(const std::array<Ball, 4>& v, const Ball& s, const Ball& t) {
-  return mix(mix(v[0], v[1], s), mix(v[2], v[3], s), t);
-}
-Ball mix(const std::array<Ball, 8>& v, const Box& s) {
-  return mix(mix({v[0], v[1], v[2], v[3]}, s[0], s[1]), mix({v[4], v[5], v[6], v[7]}, s[0], s[1]),
-             s[2]);
-}
 Ball between(double lo, double hi) { return {(lo + hi) / 2, (hi - lo) / 2}; }
 
-Ball slope_of_smooth_step(const Ball& f) {
-  const auto slope = [](double v) { return 6 * v * (1 - v); };
-  const double p = slope(f.m - f.r);
-  const double q = slope(f.m + f.r);
-  return between(std::min(p, q), std::abs(f.m - 0.5) <= f.r ? 1.5 : std::max(p, q));
+/// Range and slopes of the interpolated sum over a box inside one cell.
+struct Sum {
+  Interval v;
+  Trend::Slopes d;
+};
+Sum hull(const Sum& a, const Sum& b) {
+  Sum r{durer::hull(a.v, b.v), {}};
+  for (int i = 0; i < 3; ++i) r.d[i] = durer::hull(a.d[i], b.d[i]);
+  return r;
 }
 
-/// The interpolated sum over a box inside one cell. Its value is a weighted mean of the corner
-/// functions; its slope along an axis is S' times a weighted mean of their differences plus a
-/// weighted mean of their slopes. The mean value theorem turns the slopes into an enclosure.
-Interval sum_over(const Cell& cell, const Box& box) {
-  std::array<Linear, 8> corner;
-  for (int k = 0; k < 8; ++k) corner[k] = corner_function(cell, k);
-  Box s;
-  Box centre;
-  Box s_centre;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Ball& f = box[axis];
-    s[axis] = between(smooth_step(f.m - f.r), smooth_step(f.m + f.r));
-    centre[axis] = {f.m, 0};
-    s_centre[axis] = {smooth_step(f.m), 0};
+Sum sum_over(const Cell& cell, const Ball (&box)[3]) {
+  const simd::NoiseBound b = simd::noise_bound(cell, box);
+  Sum sum;
+  if (b.lo <= b.hi) {
+    sum.v = {b.lo, b.hi};
+  } else {  // which only rounding can cause
+    sum.v = {b.hi, b.lo};
   }
-  std::array<Ball, 8> values;
-  for (int k = 0; k < 8; ++k) values[k] = over(corner[k], box);
-  const Ball range = mix(values, s);
-  for (int k = 0; k < 8; ++k) values[k] = over(corner[k], centre);
-  Ball mean_value = mix(values, s_centre);
-
   for (int axis = 0; axis < 3; ++axis) {
-    const int step = 1 << axis;
-    std::array<Ball, 4> difference;
-    int n = 0;
-    for (int k = 0; k < 8; ++k) {
-      values[k] = {corner[k][axis + 1], 0};
-      if ((k & step) != 0) continue;
-      Linear d;
-      for (int i = 0; i < 4; ++i) d[i] = corner[k + step][i] - corner[k][i];
-      difference[n++] = over(d, box);
-    }
-    const Ball change = mix(difference, s[axis == 0 ? 1 : 0], s[axis == 2 ? 1 : 2]);
-    const Ball steepness = slope_of_smooth_step(box[axis]);
-    const Ball slope = mix(values, s);
-    const double steepest = (std::abs(change.m) + change.r) * (steepness.m + steepness.r);
-    const double turned = std::abs(change.m * steepness.m + slope.m) + change.r * steepness.m +
-                          (std::abs(change.m) + change.r) * steepness.r + slope.r;
-    mean_value.r += std::min(turned, steepest + std::abs(slope.m) + slope.r) * box[axis].r;
+    sum.d[axis] = {b.slope_lo[axis] - pad, b.slope_hi[axis] + pad};
   }
-  return narrowed({range.m - range.r, range.m + range.r},
-                  {mean_value.m - mean_value.r, mean_value.m + mean_value.r});
+  return sum;
 }
 
 /// Parts of an axis that lie in one cell each, as coordinate of the cell and position in it.
@@ -111,8 +69,10 @@ struct AxisParts {
 };
 AxisParts split(const Interval& x, double shift) {
   AxisParts parts;
-  const double first = std::floor(x.lo + shift);
-  const double last = std::floor(x.hi + shift);
+  double first = std::floor(x.lo + shift);
+  double last = std::floor(x.hi + shift);
+  if (last > first && x.hi + shift - last < sliver) --last;
+  if (last > first && first + 1 - (x.lo + shift) < sliver) ++first;
   if (!(last - first < max_cells) || !(std::abs(first) < 1e9)) return parts;
   parts.count = static_cast<int>(last - first) + 1;
   for (int i = 0; i < std::min(parts.count, max_cells); ++i) {
@@ -131,35 +91,78 @@ Interval clamped_noise(const Interval& sum, NoiseGenerator generator) {
 
 }  // namespace
 
-Interval noise(Interval x, Interval y, Interval z, NoiseGenerator generator) {
-  if (x.is_point() && y.is_point() && z.is_point()) {
-    return noise(dvec3(x.lo, y.lo, z.lo), generator);
-  }
+namespace {
+
+/// The sum over a box; nothing where the box spans too many cells, or lies beyond the lattice.
+std::optional<Sum> sum_over_cells(const Interval& x, const Interval& y, const Interval& z,
+                                  NoiseGenerator generator) {
   const double shift = generator == 3 ? 10000000.023157213 : 0.0;
   const AxisParts px = split(x, shift);
   const AxisParts py = split(y, shift);
   const AxisParts pz = split(z, shift);
-  const bool nan = x.nan || y.nan || z.nan;
-  // Beyond the 32-bit lattice the kernel overflows, to NaN at last.
-  const auto far = [](const Interval& a) { return !(a.lo > -2e9 && a.hi < 2e9); };
   const int cells = px.count * py.count * pz.count;
-  if (cells == 0 || cells > max_cells) return {0, 1, nan || far(x) || far(y) || far(z)};
+  if (cells == 0 || cells > max_cells) return std::nullopt;
 
-  Interval sum;
+  Sum sum;
   bool first = true;
   for (int i = 0; i < px.count; ++i) {
     for (int j = 0; j < py.count; ++j) {
       for (int k = 0; k < pz.count; ++k) {
         const Cell cell =
             cell_at(px.lower[i] + 0.5, py.lower[j] + 0.5, pz.lower[k] + 0.5, generator);
-        const Interval part = sum_over(cell, {px.f[i], py.f[j], pz.f[k]});
+        const Sum part = sum_over(cell, {px.f[i], py.f[j], pz.f[k]});
         sum = first ? part : hull(sum, part);
         first = false;
       }
     }
   }
-  Interval r = clamped_noise(sum, generator);
-  r.nan = nan;
+  return sum;
+}
+
+/// Beyond the 32-bit lattice the kernel overflows, to NaN at last.
+bool is_far(const Interval& a) { return !(a.lo > -2e9 && a.hi < 2e9); }
+
+Interval unknown_noise(const Interval& x, const Interval& y, const Interval& z) {
+  return {0, 1, x.nan || y.nan || z.nan || is_far(x) || is_far(y) || is_far(z)};
+}
+
+}  // namespace
+
+Interval noise(Interval x, Interval y, Interval z, NoiseGenerator generator) {
+  if (x.is_point() && y.is_point() && z.is_point()) {
+    return noise(dvec3(x.lo, y.lo, z.lo), generator);
+  }
+  const std::optional<Sum> sum = sum_over_cells(x, y, z, generator);
+  if (!sum) return unknown_noise(x, y, z);
+  Interval r = clamped_noise(sum->v, generator);
+  r.nan = x.nan || y.nan || z.nan;
+  return r;
+}
+
+Trend noise(const Trend& x, const Trend& y, const Trend& z, NoiseGenerator generator) {
+  if (x.v.is_point() && y.v.is_point() && z.v.is_point()) {
+    return noise(dvec3(x.v.lo, y.v.lo, z.v.lo), generator);
+  }
+  const std::optional<Sum> sum = sum_over_cells(x.v, y.v, z.v, generator);
+  if (!sum) {
+    // No slope of the noise is steeper than this (builtin-functions §8 measured 2.5).
+    const Interval any{-4, 4};
+    Trend r(unknown_noise(x.v, y.v, z.v), {});
+    for (int i = 0; i < 3; ++i) r.d[i] = any * x.d[i] + any * y.d[i] + any * z.d[i];
+    return r.v.nan ? Trend::erratic(r.v) : r;
+  }
+  Trend r(clamped_noise(sum->v, generator), {});
+  r.v.nan = x.v.nan || y.v.nan || z.v.nan;
+  const double scale = noise_scale(generator).scale;
+  // Where the value is clamped it is flat.
+  const bool clamped = r.v.lo <= 0 || r.v.hi >= 1;
+  const std::array<const Trend*, 3> arguments{&x, &y, &z};
+  for (int axis = 0; axis < 3; ++axis) {
+    Interval slope = sum->d[axis] * Interval(scale);
+    if (clamped) slope = hull(slope, 0.0);
+    const Trend& a = *arguments[axis];
+    for (int i = 0; i < 3; ++i) r.d[i] += trend_detail::product(slope, a.d[i]);
+  }
   return r;
 }
 

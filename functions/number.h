@@ -1,5 +1,6 @@
-// One vocabulary for the four kinds of number a formula is evaluated with: double (a point), Pack
-// (a batch), Interval (a box) and Dual (a gradient). Formulas are templates over these names.
+// One vocabulary for the kinds of number a formula is evaluated with: double (a point), Pack (a
+// batch), Interval (a box), Dual (a gradient) and Trend (a box with the range of its gradients).
+// Formulas are templates over these names.
 #pragma once
 
 #include <cmath>
@@ -9,6 +10,7 @@
 
 #include "base/dual.h"
 #include "base/interval.h"
+#include "base/trend.h"
 #include "functions/noise.h"
 #include "functions/pack.h"
 #include "functions/simd/inline.h"
@@ -20,8 +22,9 @@ using std::abs, std::acos, std::acosh, std::asin, std::asinh, std::atan, std::at
     std::sin, std::sinh, std::sqrt, std::tan, std::tanh, std::trunc;
 
 [[nodiscard]] inline double sqr(double a) { return a * a; }
-/// Minimum and maximum as the language has them: with NaN the second of min, the first of max.
-[[nodiscard]] inline double min(double a, double b) { return a < b ? a : b; }
+/// Minimum and maximum as the language has them: of equals (zeros of either sign) the first; with
+/// NaN the second of min, the first of max.
+[[nodiscard]] inline double min(double a, double b) { return a <= b ? a : b; }
 [[nodiscard]] inline double max(double a, double b) { return a < b ? b : a; }
 [[nodiscard]] inline bool lt(double a, double b) { return a < b; }
 [[nodiscard]] inline bool le(double a, double b) { return a <= b; }
@@ -65,6 +68,10 @@ template <class Mask, class A, class B>
   return {-2147483648.0, std::max(-2147483648.0, std::min(std::trunc(a.hi), 2147483647.0))};
 }
 
+[[nodiscard]] inline Trend truncated32(const Trend& a) {
+  return trend_detail::steps(truncated32(a.v), a);
+}
+
 // ---- remainder in [0, m), for m > 0
 // --------------------------------------------------------------
 template <class T>
@@ -82,6 +89,13 @@ template <class T>
 
 // ---- scalar noise over each kind; generator already resolved to 0..3
 // ------------------------------
+[[nodiscard]] inline Trend positive_mod(const Trend& a, const Trend& m) {
+  const Interval v = positive_mod(a.v, m.v);
+  const bool whole = m.v.is_point() && m.v.lo > 0 && trend_detail::is_constant(m) && !a.v.nan &&
+                     std::floor(a.v.lo / m.v.lo) == std::floor(a.v.hi / m.v.lo);
+  return whole ? Trend{v, a.d} : Trend::erratic(v);
+}
+
 [[nodiscard]] Pack noise(const Pack& x, const Pack& y, const Pack& z, NoiseGenerator g);
 
 /// If `p` is one number for the whole batch or box, that number.
@@ -93,6 +107,9 @@ template <class T>
 [[nodiscard]] inline bool is_uniform(const Interval& p, double& value) {
   value = p.lo;
   return p.is_point();
+}
+[[nodiscard]] inline bool is_uniform(const Trend& p, double& value) {
+  return is_uniform(p.v, value);
 }
 [[nodiscard]] inline bool is_uniform(const Pack& p, double& value) {
   value = p.v[0];

@@ -54,7 +54,7 @@ inline Pack& operator*=(Pack& a, const Pack& b) { return a = a * b; }
 
 [[nodiscard]] inline Pack sqr(const Pack& a) { return a * a; }
 [[nodiscard]] inline Pack abs(const Pack& a) { return pack_detail::map(a, [](double x) { return std::abs(x); }); }
-[[nodiscard]] inline Pack min(const Pack& a, const Pack& b) { return pack_detail::map(a, b, [](double x, double y) { return x < y ? x : y; }); }
+[[nodiscard]] inline Pack min(const Pack& a, const Pack& b) { return pack_detail::map(a, b, [](double x, double y) { return x <= y ? x : y; }); }
 [[nodiscard]] inline Pack max(const Pack& a, const Pack& b) { return pack_detail::map(a, b, [](double x, double y) { return x < y ? y : x; }); }
 
 #define DURER_PACK_LIBRARY(name) \

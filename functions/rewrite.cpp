@@ -6,8 +6,10 @@
 // 0.2).
 //   If the first of them is a product after a minus, the others are subtracted with it:
 //   x - 2*3 + 1 is x - (6 + 1). Pictures depend on that slip;
-// - in the second and later arguments of a call, sums are not rearranged.
-// pow(x, 2) to pow(x, 8) are products everywhere; in later arguments the reference program calls
+// - in the second and later arguments of a call, sums are not rearranged, and what operations on
+//   constants give is no constant to the operation around them;
+// - pow() of constants is the C library's, where they are written without parentheses or functions.
+// pow(x, 2) to pow(x, 8) are products everywhere else; in later arguments the reference program calls
 // the C library instead, which is ten times as slow and differs by an ulp.
 #include <cmath>
 
@@ -35,13 +37,16 @@ std::optional<Value> FunctionBuilder::folded(Op op, std::span<const Value> opera
   }
   if ((op == Op::add || op == Op::subtract) && !plain)
     return std::nullopt;  // it is a chain: see below
-  if (op == Op::divide && plain && in_later_argument()) {
+  if (op == Op::power && !plain && !in_later_argument()) return std::nullopt;  // products: see below
+  if (op == Op::divide && operands[1].is_plain_constant() && in_later_argument()) {
+    if (c[1] == 0) report(BuildProblem::division_by_zero);
     op = Op::multiply;
     c[1] = 1 / c[1];
   }
   Value v = constant(evaluate_op(op, std::span(c).first(operands.size())));
-  const bool product = op == Op::multiply || op == Op::divide || op == Op::negate;
-  v.form = plain && product ? Form::product : Form::other;
+  const bool arithmetic = op == Op::add || op == Op::subtract || op == Op::multiply ||
+                          op == Op::divide || op == Op::negate;
+  v.form = plain && arithmetic && !in_later_argument() ? Form::product : Form::other;
   return v;
 }
 

@@ -144,6 +144,13 @@ bool Builder::after_operand() const {
   return last != nullptr && last->kind == ItemKind::expr;
 }
 
+bool Builder::made_single_component() const {
+  if (operands_.empty()) return false;
+  const ast::Expr& e = expr(operands_.back());
+  const auto* v = std::get_if<ast::Vector>(&e.node);
+  return v != nullptr && v->components.count == 1 && !e.may_expand;
+}
+
 bool Builder::relation_only() const {
   const Frame& frame = frames_.back();
   const bool full_level = (frame.kind == FrameKind::paren && !frame.arguments) ||

@@ -314,6 +314,12 @@ bool Builder::plain_list(ast::Range& out) {
   return true;
 }
 
+/// True if a comma closes the list of the innermost frame: whoever reads it decides what that means.
+bool Builder::ends_in_comma() const {
+  return items_.size() > frames_.back().items && items_.back().kind == ast::ItemKind::punct &&
+         items_.back().detail == ',';
+}
+
 void Builder::close_open_group(Span where, ast::OpenGroup group) {
   group.items = take_items();
   frames_.pop_back();
@@ -337,7 +343,7 @@ void Builder::close_call(const char* at) {
   const Span where = expr(callee).span.to(char_span(at));
   last_end_ = where.end();
   ast::Range args;
-  if (!plain_list(args)) {
+  if (ends_in_comma() || !plain_list(args)) {
     return close_open_group(where, {ast::OpenGroup::Kind::call, callee, 0, {}});
   }
   items_.resize(frames_.back().items);

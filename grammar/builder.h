@@ -31,6 +31,9 @@ struct Failure {
 /// True for the built-in functions whose result is text: nothing can be added to them.
 [[nodiscard]] bool returns_text(SymbolId function);
 
+/// True for `Declare`, `IF` and their kin.
+[[nodiscard]] bool is_directive_in_capitals(std::string_view word);
+
 class Builder {
  public:
   Builder(std::string_view text, Loc base, SymbolTable& symbols, const Balance& balance,
@@ -63,6 +66,8 @@ class Builder {
   /// True if the operand before this place is a member that no component is called: only entries of
   /// dictionaries have elements and can be called.
   [[nodiscard]] bool after_entry() const;
+  /// True if the last operand is a vector of one component that cannot become more.
+  [[nodiscard]] bool made_single_component() const;
   /// True behind `rgb 1` and the like, or behind an operator there: such expressions may compare.
   [[nodiscard]] bool after_colour() const;
   /// True if the item before this place is an expression.
@@ -236,6 +241,7 @@ class Builder {
   ast::Range take_items();
   /// The expressions of the top frame, if its items are a plain list of them.
   bool plain_list(ast::Range& out);
+  [[nodiscard]] bool ends_in_comma() const;
   void close_open_group(Span span, ast::OpenGroup group);
   void close_element(ast::ExprId object, Span where);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 #include "base/suggest.h"
 #include "grammar/builder.h"
@@ -47,6 +48,14 @@ constexpr std::array<std::string_view, 28> directive_words = {
     "switch", "undef",   "version", "warning", "while",   "write", "statistics"};
 
 }  // namespace
+
+bool is_directive_in_capitals(std::string_view word) {
+  std::string small(word);
+  for (char& c : small) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return std::ranges::find(directive_words, small) != directive_words.end();
+}
 
 Diagnostic Builder::diagnostic(const Failure& f) const {
   std::string_view rest(f.at, static_cast<std::size_t>(end_ - f.at));

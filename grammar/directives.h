@@ -2,6 +2,8 @@
 // `#end`.
 #pragma once
 
+#include <algorithm>
+
 #include "grammar/items.h"
 
 namespace durer::grammar::rules {
@@ -136,7 +138,7 @@ struct skippable        : predicate<skippable> {
 };
 struct unknown_word     : identifier {};
 struct unknown          : p::seq<p::not_at<terminator>, p::one<'#'>, gap, skippable, unknown_word, gap> {};
-// Before a keyword that is no directive, a mark, or the end of a block, a `#` means nothing: `look_at 0 # }`.
+// Before anything that cannot be a directive, a `#` means nothing: `look_at 0 # }`.
 struct directive_word   : one_word<words::break_, words::case_, words::debug, words::declare, words::default_,
                                    words::else_, words::elseif, words::end, words::error, words::fclose, words::fopen,
                                    words::for_, words::if_, words::ifdef, words::ifndef, words::include, words::local,
@@ -144,7 +146,14 @@ struct directive_word   : one_word<words::break_, words::case_, words::debug, wo
                                    words::switch_, words::undef, words::version, words::warning, words::while_,
                                    words::write> {};
 struct plain_word       : p::seq<p::not_at<directive_word>, keyword> {};
-struct after_lone_hash  : p::sor<plain_word, p::one<'{', '}', '(', ')', '<', '>', '+', '-', '*', '/', ',', '#'>, p::eof> {};
+// A name that no misspelled directive has: all of theirs are letters, and few people write capitals.
+struct unlike_directive : word_rule<unlike_directive> {
+  static bool accepts(const Builder::Word& word) {
+    const auto lower = [](char c) { return c >= 'a' && c <= 'z'; };
+    return !std::all_of(word.begin, word.end, lower) && !is_directive_in_capitals({word.begin, word.end});
+  }
+};
+struct after_lone_hash  : p::sor<plain_word, unlike_directive, p::not_at<any_word>> {};
 struct lone_hash        : p::seq<p::one<'#'>, gap, p::at<after_lone_hash>> {};
 
 struct directive_ahead  : p::seq<p::not_at<lone_hash>, p::one<'#'>> {};

@@ -181,13 +181,18 @@ struct vector {
     if (in.empty() || *at != '<' || b.known_bad(at)) return false;
     const bool first = b.item_starts_at(at);
     if (first && b.relation_only()) return false;
+    const bool compares = first && b.relation_possible(false);
     const auto checkpoint = b.checkpoint();
     Failure why;
     bool seen = false;
     try {
       if (Control<vector_text>::template match<A, p::rewind_mode::required, Action, Control>(in,
                                                                                              b)) {
-        return true;
+        if (!compares || !b.made_single_component()) return true;
+        in.iterator() = at;  // `f(a < b > c)`: two relations
+        b.rollback(checkpoint);
+        b.remember_bad(at);
+        return false;
       }
       if (*at == '<' && at[1] == '=') return false;
       why = b.failure(b.stopped(), "a component, `,` or `>`", Failure::Kind::vector);

@@ -31,7 +31,7 @@ class Interpreter::Args {
   Args(Interpreter& in, const ast::Tree& tree, const ast::Expr& call, SymbolId function,
        std::span<const ast::ExprId> list, const ast::OpenGroup* open)
       : in_(in), tree_(tree), call_(call), function_(function), list_(list) {
-    if (open != nullptr) part_.emplace(in, tree, open->items);
+    if (open != nullptr) part_.emplace(in, tree, open->items, call.span);
   }
 
   [[nodiscard]] bool more() {
@@ -41,7 +41,7 @@ class Interpreter::Args {
     require("a number or vector");
     if (part_) {
       const Num n = in_.read_num(length);
-      in_.optional_comma();
+      in_.argument_comma();
       return in_.fit(n, length);
     }
     in_.last_span_ = tree_.exprs[list_[used_]].span;
@@ -52,7 +52,7 @@ class Interpreter::Args {
     require("a number or vector");
     if (part_) {
       const Num n = in_.read_num(1);
-      in_.optional_comma();
+      in_.argument_comma();
       return n;
     }
     return in_.evaluate(tree_, list_[used_++], 1);
@@ -62,7 +62,7 @@ class Interpreter::Args {
     require("a number");
     if (part_) {
       const Num n = in_.fit(in_.read_full(1), 1);
-      in_.optional_comma();
+      in_.argument_comma();
       return n.v[0];
     }
     return in_.work_out_float(tree_, list_[used_++], "argument");
@@ -84,7 +84,7 @@ class Interpreter::Args {
     require("a string");
     if (part_) {
       out.append(in_.read_text());
-      in_.optional_comma();
+      in_.argument_comma();
       return;
     }
     in_.append_text(tree_, list_[used_++], out);
@@ -95,7 +95,7 @@ class Interpreter::Args {
     if (part_) {
       const Token t = in_.next();
       if (t.kind != Token::Kind::expr) in_.unexpected(t, "a name");
-      in_.optional_comma();
+      in_.argument_comma();
       return t.expr;
     }
     return list_[used_++];

@@ -187,6 +187,7 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
              "make one first: `#declare S = seed(1);`, then `rand(S)`");
       }
       std::uint32_t& s = streams_[static_cast<std::size_t>(i)];
+      if (peek_ != nullptr) peek_->push_back({static_cast<std::size_t>(i), s});
       return number(draw(s));
     }
     case w::vdot: {
@@ -205,7 +206,7 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
         if (version() >= 350) warn(Code::evaluation, e.span, "`vnormalize` of a zero vector");
         return vector(dvec3(0));
       }
-      return vector(a / n);
+      return vector(a * (1 / n));  // as the oracle rounds
     }
     case w::vrotate: {
       const dvec3 a = args.vector();

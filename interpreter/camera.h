@@ -22,6 +22,8 @@ struct CameraSpec {
   std::optional<double> angle_deg;
   bool right_or_up_given = false;
   Transform transform;
+  std::array<functions::FunctionRef, 3> location_functions;
+  std::array<functions::FunctionRef, 3> direction_functions;
   scene::OriginId origin = 0;
   Span span;
 };

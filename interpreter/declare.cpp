@@ -60,24 +60,37 @@ void Interpreter::store(Value& target, Value value, bool is_element, const Array
   target = std::move(value);
 }
 
-/// The commonest assignment by far: of a formula to a variable that holds a number already. False,
-/// with nothing evaluated, if it is anything else.
-bool Interpreter::assign_number(const ast::Tree& tree, const ast::Declare& node) {
-  if (node.value == ast::none || node.subscripts.count > 0 || node.deprecated) return false;
-  if (node.place != ast::none) return false;
+/// In loops and macros: assigns the result of compiled code to a variable that holds a number or a
+/// string, or to a new one. False, with nothing done, if it is anything else.
+bool Interpreter::quick_assign(const ast::Tree& tree, const ast::Declare& node) {
+  if (repeats_ == 0 || node.value == ast::none || node.place != ast::none) return false;
+  if (node.subscripts.count > 0 || node.deprecated || !node.semicolon) return false;
   if (additions_ && grammar::SymbolTable::added(node.name)) return false;
-  if (!node.semicolon && version() >= 350) return false;
-  if (!is_number(tree.exprs[node.value])) return false;
+  const auto is_plain = [](const Value* v) {
+    return v != nullptr && (v->is_num() || v->get<Shared<Text>>() != nullptr);
+  };
   Slot* slot = node.local ? env_.find_in_scope(node.name, env_.scope()) : env_.find(node.name);
-  if (slot == nullptr || slot->target != nullptr || slot->deprecated || !slot->value.is_num()) {
+  if (slot == nullptr) {
+    // The new one may hide a variable, but neither a macro nor a function.
+    Slot* const hidden = env_.find(node.name);
+    if (additions_ || (hidden != nullptr && !is_plain(Environment::value_of(hidden)))) return false;
+  } else if (slot->deprecated || !slot->path.empty() || !is_plain(Environment::value_of(slot))) {
     return false;
   }
-  Num n;
-  n.length = work_out(tree, node.value, 1, n.v.data());
-  if (slot->name != node.name || slot->target != nullptr) {  // gone meanwhile: a macro undefined it
+  const Operand* result = quick(tree, node.value, 1);
+  if (result == nullptr) return false;
+  if (slot == nullptr) {
     slot = &env_.in_scope(node.name, node.local ? env_.scope() : 0);
+    slot->declared = node.target;
   }
-  store_number(slot->value, n);
+  Value& target = *Environment::value_of(slot);
+  if (!result->is_text()) {
+    store_number(target, result->number());
+  } else if (auto* text = target.get<Shared<Text>>(); text != nullptr && text->use_count() == 1) {
+    machine_.take_text(const_cast<Text&>(**text));  // nobody else holds it: see text_value
+  } else {
+    target = take_result(*result);
+  }
   return true;
 }
 
@@ -105,7 +118,7 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
          fmt::format("`{}` is a word of the language and cannot be declared", name_of(node.name)),
          "choose another name; names that start with a capital letter are always free");
   }
-  if (assign_number(tree, node)) return;
+  if (quick_assign(tree, node)) return;
   if (node.subscripts.count == 0 && node.place == ast::none) check_new_name(node.name, node.target);
   // Where the value goes is settled first: its last operand may stand inside a macro, whose scope
   // is still open then. The old value stays visible while the new one is worked out.
@@ -156,7 +169,8 @@ void Interpreter::assign(const ast::Tree& tree, const ast::Declare& node, Value 
   }
   Slot& slot = existing != nullptr ? *existing : env_.in_scope(node.name, node.local ? scope : 0);
   Value* target = Environment::value_of(&slot);
-  const bool through_element = slot.target != nullptr && !slot.path.empty();
+  const bool through_element = slot.target != nullptr && !slot.path.empty() &&
+                               std::holds_alternative<std::size_t>(slot.path.back());
   if (target == nullptr)
     fail(Code::evaluation, node.target, "this parameter no longer has a value");
   if (through_element && target->defined() && !same_kind(*target, value)) {
@@ -303,8 +317,7 @@ Value* Interpreter::element(SymbolId name, const Subscripts& list, Span span, bo
       fail(Code::wrong_kind, span,
            fmt::format("`{}` is {}, it takes no more subscripts", name_of(name), kind_name(*v)));
     }
-    // Copies share until one of them is written.
-    if (for_writing && array->use_count() > 1) *array = std::make_shared<Array>(**array);
+    if (for_writing) own_array(*v);
     if (for_writing && (*array)->grows) grow(**array, list[used].value, list[used].span);
     v = &(*array)->elements[flat_index(list, **array, span, used)];
   }
@@ -326,6 +339,7 @@ bool Interpreter::adds_up(const ast::Tree& tree, ast::ExprId id) {
   }
   const ast::Expr& first = tree.exprs[id];
   if (!std::holds_alternative<ast::Name>(first.node) && !array_of(first)) return true;
+  const Peek peek(*this);
   const Value* v = lookup(tree, id, false);
   return v == nullptr || !v->defined() || v->get<Num>() != nullptr;
 }
@@ -356,9 +370,22 @@ void Interpreter::add_argument(const ast::Tree& tree, ast::ExprId arg, bool opti
     Value* v = Environment::value_of(slot.target);
     for (std::size_t used = 0; used < list.size();) {
       Array& array = **v->get<std::shared_ptr<Array>>();
-      slot.path.push_back(flat_index(list, array, e.span, used));
-      v = &array.elements[slot.path.back()];
+      const std::size_t at = flat_index(list, array, e.span, used);
+      slot.path.emplace_back(at);
+      v = &array.elements[at];
     }
+    arguments_.push_back(&slot);
+  } else if (additions_ && leads_to_entry(tree, arg)) {
+    Slot found;
+    refer(tree, arg, found);
+    Slot& slot = env_.make();
+    slot.value = std::move(found.value);
+    slot.target = found.target;
+    slot.path = std::move(found.path);
+    arguments_.push_back(&slot);
+  } else if (const Operand* quickly = is_number(e) ? quick(tree, arg, 1) : nullptr) {
+    Slot& slot = env_.make();
+    store_number(slot.value, quickly->number());
     arguments_.push_back(&slot);
   } else if (is_number(e) && ((e.may_expand && needs_expansion(tree, arg)) || !adds_up(tree, arg))) {
     // What stands before the sign may be something else than a number: `Box -y` are two arguments.

@@ -4,6 +4,22 @@
 
 namespace durer::interpreter {
 
+namespace {
+
+Value* element_of(Value& v, std::size_t index) {
+  Array* array = own_array(v);
+  return array == nullptr || index >= array->elements.size() ? nullptr : &array->elements[index];
+}
+
+Value* entry_of(Value& v, const Text& key) {
+  Dictionary* dictionary = own_dictionary(v);
+  if (dictionary == nullptr) return nullptr;
+  const auto it = dictionary->entries.find(key);
+  return it == dictionary->entries.end() ? nullptr : &it->second;
+}
+
+}  // namespace
+
 Slot* Environment::find_in_scope(SymbolId name, std::uint32_t scope) const {
   for (Slot* s = find(name); s != nullptr && s->scope >= scope; s = s->below) {
     if (s->scope == scope) return s;
@@ -13,12 +29,11 @@ Slot* Environment::find_in_scope(SymbolId name, std::uint32_t scope) const {
 
 Value* Environment::referred(Slot* slot) {
   Value* v = value_of(slot->target);
-  for (const std::size_t index : slot->path) {
-    auto* array = v == nullptr ? nullptr : v->get<std::shared_ptr<Array>>();
-    if (array == nullptr || index >= (*array)->elements.size()) return nullptr;
-    // The element may be assigned through the reference: it must not be shared with a copy.
-    if (array->use_count() > 1) *array = std::make_shared<Array>(**array);
-    v = &(*array)->elements[index];
+  // What they lead to may be assigned through the reference: it must not be shared with a copy.
+  for (const Step& step : slot->path) {
+    if (v == nullptr) return nullptr;
+    v = std::holds_alternative<Text>(step) ? entry_of(*v, std::get<Text>(step))
+                                           : element_of(*v, std::get<std::size_t>(step));
   }
   return v;
 }

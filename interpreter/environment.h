@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <variant>
 #include <vector>
 
 #include "grammar/vocabulary.h"
@@ -22,6 +23,9 @@ struct Deprecation {
   bool told = false;
 };
 
+/// A step from a value into what it holds: the flat index of an element, or the key of an entry.
+using Step = std::variant<std::size_t, Text>;
+
 struct Slot {
   Value value;
   std::shared_ptr<Deprecation> deprecated;
@@ -29,10 +33,10 @@ struct Slot {
   SymbolId name = 0;
   std::uint32_t scope = 0;
   Span declared;  // where it was last declared, as far as known
-  /// By-reference parameters: the caller's slot; with `path`, an element of the array in it, as a
-  /// flat index per level of nesting (language §4.6).
+  /// By-reference parameters: the caller's slot; with `path`, what these steps lead to in its value
+  /// (language §4.6).
   Slot* target = nullptr;
-  std::vector<std::size_t> path;
+  std::vector<Step> path;
 };
 
 class Environment {

@@ -224,7 +224,11 @@ Value* Interpreter::lookup(const ast::Tree& tree, ast::ExprId id, bool must_exis
   }
   if (additions_) return entry(tree, id, must_exist);
   if (const auto array = array_of(e)) {
-    return element(*array, read_subscripts(tree, id), e.span, false, must_exist);
+    Peek peek(*this);
+    Value* v = element(*array, read_subscripts(tree, id), e.span, false, must_exist);
+    // Whoever only looks whether a number stands here works it out once more.
+    if (must_exist || !v->is_num()) peek.keep();
+    return v;
   }
   return nullptr;
 }
@@ -247,7 +251,10 @@ Num Interpreter::evaluate_full(const ast::Tree& tree, ast::ExprId id, int length
 /// A whole expression: macro calls in it may have to be spelled out first.
 int Interpreter::work_out(const ast::Tree& tree, ast::ExprId id, int want, double* v) {
   const ast::Expr& e = tree.exprs[id];
-  if (double x = 0; repeats_ > 0 && quick_float(tree, e, id, want, x)) return fill(x, want, v);
+  if (const Operand* quickly = quick(tree, id, want); quickly != nullptr && !quickly->is_text()) {
+    std::copy(quickly->v.begin(), quickly->v.end(), v);
+    return quickly->length;
+  }
   if (e.may_expand && needs_expansion(tree, id, true)) {
     Nested part(*this, tree, id);
     const Num n = read_full_in_place(want);
@@ -258,24 +265,32 @@ int Interpreter::work_out(const ast::Tree& tree, ast::ExprId id, int want, doubl
   return work_out_closed(tree, e, want, v);
 }
 
-/// The compiled way to a float (scalar_code.h); false if there is none here.
-bool Interpreter::quick_float(const ast::Tree& tree, const ast::Expr& e, ast::ExprId id, int want,
-                              double& x) {
-  // A single operand is as quick to look up.
-  if (e.height < 2 || e.height > scalar_stack) return false;
-  std::vector<std::uint32_t>& codes = codes_of_[tree.file];
-  if (codes.empty()) codes.resize(tree.exprs.size());
-  std::uint32_t& known = codes[id];
-  if (known == 0) {
-    codes_.push_back(compile_scalar(tree, id, static_cast<float>(options_.clock)));
-    known = static_cast<std::uint32_t>(codes_.size());
+Formula& Interpreter::formula_for(const ast::Tree& tree, ast::ExprId id) {
+  std::vector<Formula*>& formulas = formulas_of_[tree.file];
+  if (formulas.empty()) formulas.resize(tree.exprs.size());
+  Formula*& formula = formulas[id];
+  if (formula != nullptr) return *formula;
+  const FormulaContext context{env_, static_cast<float>(options_.clock), !options_.on_trace};
+  Formula code = compile_formula(context, tree, id);
+  formula = code.ops.empty() ? &no_formula_ : &formulas_.emplace_back(std::move(code));
+  return *formula;
+}
+
+const Operand* Interpreter::quick(const ast::Tree& tree, ast::ExprId id, int want) {
+  // What runs once is not worth compiling, and a single operand is as quick to look up.
+  if (repeats_ == 0 || tree.exprs[id].height < 2) return nullptr;
+  Formula& formula = formula_for(tree, id);
+  if (formula.ops.empty()) return nullptr;
+  if (formula.calls_functions) workspace_.context.noise_generator = noise_generator();
+  if (const Operand* result = machine_.run(formula, want)) {
+    turns_ += formula.calls;
+    if (peek_ != nullptr) machine_.tell_draws(*peek_);
+    if (!formula.shines_through && !result->is_text()) machine_.clear_beyond_length();
+    return result;
   }
-  ScalarCode& code = codes_[known - 1];
-  if (code.ops.empty() || (want > 1 && code.leads_with_component)) return false;
-  if (run_scalar(code, env_, streams_, x)) return true;
-  constexpr std::uint8_t enough = 4;
-  if (++code.failures == enough) code.ops.clear();
-  return false;
+  constexpr std::uint8_t enough = 8;
+  if (++formula.failures == enough) formula.ops.clear();
+  return nullptr;
 }
 
 int Interpreter::work_out_full(const ast::Tree& tree, ast::ExprId id, int want, double* v) {
@@ -473,7 +488,7 @@ Num Interpreter::evaluate_open(const ast::Tree& tree, const ast::Expr& e, const 
     n.length = take_value(*lookup(tree, id, true), e.span, length, n.v.data());
     return n;
   }
-  Nested part(*this, tree, g.items);
+  Nested part(*this, tree, g.items, e.span);
   if (g.kind == Kind::paren) {
     Num n = read_full(1);
     part.finish("`)`");

@@ -65,6 +65,9 @@ std::uint32_t index_of(const ast::Tree& tree, const ast::Directive& d) {
 // ---- conditions -------------------------------------------------------------------------------
 
 bool Interpreter::condition(const ast::Tree& tree, ast::ExprId id) {
+  if (const Operand* quickly = quick(tree, id, 1); quickly != nullptr && quickly->is_float()) {
+    return std::abs(quickly->v[0]) > epsilon;
+  }
   if (is_text(tree, id)) {
     fail(Code::wrong_kind, tree.exprs[id].span, "expected a condition, found a string",
          "compare it, as in `(Name = \"x\")`");
@@ -115,6 +118,13 @@ Interpreter::Flow Interpreter::run(const ast::Tree& tree, const ast::Directive& 
 }
 
 namespace {
+/// The number that the expression is, in parentheses or not; null if it has to be worked out.
+const double* literal(const ast::Tree& tree, ast::ExprId id) {
+  while (const auto* p = std::get_if<ast::Paren>(&tree.exprs[id].node)) id = p->inner;
+  const auto* n = std::get_if<ast::Number>(&tree.exprs[id].node);
+  return n == nullptr ? nullptr : &n->value;
+}
+
 bool all_statements(const ast::Tree& tree, const ast::Switch& node) {
   for (std::uint32_t i = 0; i < node.cases.count; ++i) {
     if (tree.cases[node.cases.first + i].items.shape != Shape::statements) return false;
@@ -130,7 +140,9 @@ Interpreter::Flow Interpreter::run(const ast::Tree& tree, const ast::Directive& 
     const ast::Case& c = tree.cases[node.cases.first + i];
     bool matches = c.kind == ast::Case::Kind::else_;
     if (c.kind == ast::Case::Kind::case_) {
-      matches = std::abs(value - evaluate_full(tree, c.low, 1).v[0]) < epsilon;
+      const double* known = literal(tree, c.low);
+      const double wanted = known != nullptr ? *known : evaluate_full(tree, c.low, 1).v[0];
+      matches = std::abs(value - wanted) < epsilon;
     } else if (c.kind == ast::Case::Kind::range) {
       const double low = evaluate(tree, c.low, 1).v[0];
       const double high = evaluate(tree, c.high, 1).v[0];

@@ -198,7 +198,7 @@ void Interpreter::read_file() {
       } else if (const auto* s = std::get_if<std::string>(&datum)) {
         Text text;
         decode_literal(*s, at, false, text);
-        *target = Value(std::make_shared<const Text>(std::move(text)));
+        *target = text_value(std::move(text));
       }
     }
     if (file.at_end()) env_.undefine(name);

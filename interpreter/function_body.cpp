@@ -244,7 +244,7 @@ std::vector<functions::Value> Interpreter::FunctionReader::open_group(const ast:
     case ast::OpenGroup::Kind::index: return {element(tree, id)};
     case ast::OpenGroup::Kind::vector: break;
     case ast::OpenGroup::Kind::paren: {
-      Nested part(in_, tree, g.items);
+      Nested part(in_, tree, g.items, e.span);
       const functions::Value v = number(full());
       part.finish("an operator or `)`");
       return {functions::FunctionBuilder::group(v)};

@@ -15,7 +15,7 @@ class Interpreter::FunctionReader::Arguments {
     if (const auto* c = std::get_if<ast::Call>(&call.node)) {
       list_ = {tree.expr_lists.data() + c->args.first, c->args.count};
     } else {
-      part_.emplace(reader.in_, tree, std::get<ast::OpenGroup>(call.node).items);
+      part_.emplace(reader.in_, tree, std::get<ast::OpenGroup>(call.node).items, call.span);
     }
   }
 
@@ -57,7 +57,7 @@ class Interpreter::FunctionReader::Arguments {
       reader_.in_.fail(Code::missing_argument, span_, fmt::format("expected {} here", what));
   }
   void comma() {
-    if (!more() || reader_.in_.accept_punct(',')) return;
+    if (!more() || reader_.in_.argument_comma()) return;
     reader_.not_an_operator(reader_.in_.next());
   }
 

@@ -73,11 +73,10 @@ Value Interpreter::read_function(Span span) {
   return value_of(compile_function(parameters), false, span);
 }
 
-/// A function of x, y and z that is part of the scene: `{ … }`.
-functions::FunctionRef Interpreter::read_scene_function() {
+/// A function that is part of the scene: `{ … }`.
+functions::FunctionRef Interpreter::read_scene_function(std::span<const SymbolId> parameters) {
   expect_open("function");
-  return std::make_shared<const functions::Function>(
-      compile_function(std::array<SymbolId, 3>{w::x, w::y, w::z}));
+  return std::make_shared<const functions::Function>(compile_function(parameters));
 }
 
 /// `(a, b)`: names, commas between them optional.
@@ -229,12 +228,12 @@ std::size_t Interpreter::read_arguments(const ast::Tree& tree, const ast::Expr& 
   const auto read_all = [&] {
     while (peek().kind != Token::Kind::end) {
       add(read_scalar("argument"));
-      optional_comma();
+      argument_comma();
     }
   };
   const auto* call = std::get_if<ast::Call>(&e.node);
   if (call == nullptr) {
-    const Nested part(*this, tree, std::get<ast::OpenGroup>(e.node).items);
+    const Nested part(*this, tree, std::get<ast::OpenGroup>(e.node).items, e.span);
     read_all();
     return n;
   }

@@ -83,15 +83,18 @@ void Interpreter::not_supported(std::string_view feature, Span span) {
 
 /// Origin of the innermost macro call or include, made when first needed.
 scene::OriginId Interpreter::call_origin() {
-  scene::OriginId parent = 0;
-  for (Frame& f : frames_) {
-    if (f.kind != Frame::Kind::macro && (f.kind != Frame::Kind::file || f.call.begin == 0))
-      continue;
-    if (!f.has_origin) {
-      scene_.origins.push_back({f.call, parent});
-      f.origin = static_cast<scene::OriginId>(scene_.origins.size() - 1);
-      f.has_origin = true;
-    }
+  const auto is_call = [](const Frame& f) {
+    return f.kind == Frame::Kind::macro || (f.kind == Frame::Kind::file && f.call.begin != 0);
+  };
+  std::size_t known = frames_.size();  // calls below have origins
+  while (known > 0 && !(is_call(frames_[known - 1]) && frames_[known - 1].has_origin)) --known;
+  scene::OriginId parent = known > 0 ? frames_[known - 1].origin : 0;
+  for (std::size_t i = known; i < frames_.size(); ++i) {
+    Frame& f = frames_[i];
+    if (!is_call(f)) continue;
+    scene_.origins.push_back({f.call, parent});
+    f.origin = static_cast<scene::OriginId>(scene_.origins.size() - 1);
+    f.has_origin = true;
     parent = f.origin;
   }
   return parent;
@@ -106,7 +109,7 @@ scene::OriginId Interpreter::origin(Span span) {
 void Interpreter::remember(const ast::Tree& tree) {
   if (tree.file >= tree_of_.size()) tree_of_.resize(tree.file + 1);
   tree_of_[tree.file] = &tree;
-  codes_of_.resize(tree_of_.size());
+  formulas_of_.resize(tree_of_.size());
 }
 
 // ---- the scene

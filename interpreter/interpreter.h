@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -18,8 +19,9 @@
 #include "grammar/ast.h"
 #include "grammar/vocabulary.h"
 #include "interpreter/environment.h"
+#include "interpreter/formula.h"
 #include "interpreter/interpret.h"
-#include "interpreter/scalar_code.h"
+#include "interpreter/plain_look.h"
 #include "interpreter/stream.h"
 #include "interpreter/value.h"
 #include "scene/scene.h"
@@ -81,7 +83,8 @@ class Interpreter {
   /// part, then `end`.
   class Nested {
    public:
-    Nested(Interpreter& in, const ast::Tree& tree, ast::Range items);
+    /// `whole` is where errors are told if there are no items.
+    Nested(Interpreter& in, const ast::Tree& tree, ast::Range items, Span whole = {});
     Nested(Interpreter& in, const ast::Tree& tree, ast::ExprId expr);
     Nested(const Nested&) = delete;
     Nested& operator=(const Nested&) = delete;
@@ -187,7 +190,7 @@ class Interpreter {
     return std::nullopt;
   }
   void missing_semicolon(const ast::Declare& node, const Num& n);
-  bool assign_number(const ast::Tree& tree, const ast::Declare& node);
+  bool quick_assign(const ast::Tree& tree, const ast::Declare& node);
   static void store_number(Value& target, Num n);
   void store(Value& target, Value value, bool is_element, const Array* array, Span span);
   void default_block();
@@ -207,6 +210,10 @@ class Interpreter {
   Place dictionary_entry(Value& dictionary, const Text& key, Span span, Access access);
   [[noreturn]] void no_entry(const Dictionary& dictionary, const Text& key, Span span);
   Value* entry(const ast::Tree& tree, ast::ExprId id, bool must_exist);
+  [[nodiscard]] bool leads_to_entry(const ast::Tree& tree, ast::ExprId id) const;
+  void refer(const ast::Tree& tree, ast::ExprId id, Slot& slot);
+  void refer_into(const ast::Tree& tree, ast::Range list, Slot& slot, Span span);
+  [[nodiscard]] Slot* scope_slot(SymbolId scope, SymbolId name);
   [[nodiscard]] bool is_scope(SymbolId name) const;
   [[nodiscard]] bool in_dictionary(SymbolId name) const;
   [[nodiscard]] bool starts_dictionary(const Token& token) const;
@@ -246,6 +253,33 @@ class Interpreter {
   const ast::Tree& load(const std::string& name, Span span);
   void include(const std::string& name, Span span);
 
+  /// Takes back what is drawn from random streams while it lives, unless it is to be kept: an
+  /// expression that is looked at will be worked out again.
+  class Peek {
+   public:
+    explicit Peek(Interpreter& in) : in_(in), outer_(in.peek_) { in.peek_ = &draws_; }
+    Peek(const Peek&) = delete;
+    Peek& operator=(const Peek&) = delete;
+    ~Peek() {
+      in_.peek_ = outer_;
+      if (keep_) {
+        if (outer_ != nullptr) outer_->insert(outer_->end(), draws_.begin(), draws_.end());
+        return;
+      }
+      for (std::size_t i = draws_.size(); i-- > 0;) {
+        in_.streams_[draws_[i].stream] = draws_[i].before;
+      }
+    }
+    void keep() { keep_ = true; }
+
+   private:
+    Interpreter& in_;
+    std::vector<Draw>* outer_;
+    std::vector<Draw> draws_;
+    bool keep_ = false;
+  };
+  friend class Peek;
+
   // ---- evaluate.cpp: closed expressions
   /// `length`: the number of components that the place wants (language §2.4); 1 also means "any".
   Num evaluate(const ast::Tree& tree, ast::ExprId id, int length);
@@ -253,7 +287,9 @@ class Interpreter {
   Num evaluate_full(const ast::Tree& tree, ast::ExprId id, int length);
   /// The same in place: `v` has room for five components, zero at first; returns how many count.
   int work_out(const ast::Tree& tree, ast::ExprId id, int want, double* v);
-  bool quick_float(const ast::Tree& tree, const ast::Expr& e, ast::ExprId id, int want, double& x);
+  /// The compiled way to a value (formula.h), valid until the next; null if there is none here.
+  const Operand* quick(const ast::Tree& tree, ast::ExprId id, int want);
+  Formula& formula_for(const ast::Tree& tree, ast::ExprId id);
   int work_out_full(const ast::Tree& tree, ast::ExprId id, int want, double* v);
   double work_out_float(const ast::Tree& tree, ast::ExprId id, std::string_view what);
   int work_out_closed(const ast::Tree& tree, const ast::Expr& e, int want, double* v);
@@ -273,6 +309,7 @@ class Interpreter {
   Num unary(ast::Op op, Num operand);
   Num member(Num object, SymbolId member, Span span, int length);
   Value evaluate_value(const ast::Tree& tree, ast::ExprId id);
+  Value take_result(const Operand& result);
   [[nodiscard]] bool is_text(const ast::Tree& tree, ast::ExprId id);
   Text evaluate_text(const ast::Tree& tree, ast::ExprId id, bool file_name = false);
   void note_use(const Slot* slot, Span span);
@@ -294,7 +331,7 @@ class Interpreter {
   void check_may_change(Slot* slot, Span span);
   [[noreturn]] void function_stays(SymbolId name, Span span);
   std::vector<SymbolId> read_parameters();
-  functions::FunctionRef read_scene_function();
+  functions::FunctionRef read_scene_function(std::span<const SymbolId> parameters);
   Value read_internal_function(Span span);
   Value read_special_function(Span span);
   scene::Pigment read_pattern(const Token& word);
@@ -314,9 +351,9 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
                         std::span<const ast::ExprId> args, const ast::OpenGroup* open, Text& out);
   scene::ObjectId object_argument(const ast::Tree& tree, ast::ExprId id, Span call);
   [[nodiscard]] static double days_since_2000();
-  static void append_number(double value, int width, int decimals, Text& out);
 
   // ---- read.cpp: expressions and values from the stream
+  [[nodiscard]] static bool ends_expression(const Frame& f, std::uint32_t pos, bool full);
   ast::ExprId take_plain(const ast::Tree*& tree, bool full);
   Num read_num(int length);   // additive level
   Num read_full(int length);  // relations, logic, ?:
@@ -339,6 +376,8 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   bool read_switch(bool fallback);  // an optional float: absent means on
   bool starts_number(const Token& token);
   [[nodiscard]] static bool starts_colour(const Token& token);
+  void check_components(const Num& n, int wanted, SymbolId word, Span span);
+  std::optional<Colour> quick_colour_block();
   Colour read_colour();  // with or without the word `color`
   Num read_colour_num(bool strict = false);
   void continue_colour(Num& c);
@@ -350,6 +389,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   void add_size(Array& array, double written, std::size_t& total, Span span);
   void grow(Array& array, double subscript, Span span);
   void optional_comma();
+  bool argument_comma();
   void accept_raw_comma_or_peek();
   [[nodiscard]] std::string describe(const Token& token) const;
   bool accept(SymbolId word);
@@ -377,6 +417,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   [[nodiscard]] std::string assumptions() const;
   void decode_high_bytes(std::string_view bytes, std::size_t& at, Span span, Text& out);
   std::optional<Transform> read_transformation(const Token& token);
+  Transform transformation(SymbolId word, dvec3 by, Span span);
   Transform read_transform_block();
   Transform read_matrix(const Token& word);
   std::size_t read_numbers(std::span<double> out);
@@ -384,9 +425,37 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   scene::Object read_polynomial(std::uint32_t type, const Token& word);
   scene::ObjectId read_object(const Token& word);
   bool starts_object(const Token& token) const;
+  void check_operands(const scene::TypeInfo& info, const std::vector<double>& args,
+                      const Token& word);
+  scene::Object primitive(std::uint32_t type, const Token& word);
   scene::Object read_primitive(std::uint32_t type, const Token& word);
+  // ---- quick_objects.cpp
+  [[nodiscard]] Frame* plain_items();
+  [[nodiscard]] bool is_operand(const Frame& f, std::uint32_t pos) const;
+  bool quick_operands(const scene::TypeInfo& info, std::vector<double>& args, const Token& word);
+  bool quick_modifier(scene::Object& o);
   void read_operand(const scene::Param& param, double* out);
+  /// What is known of the operands of a type before any is read.
+  struct OperandPlan {
+    std::vector<double> fallback;
+    std::vector<std::uint16_t> offsets;  // by parameter
+    std::size_t positional = 0;          // parameters up to the last positional one
+    bool has_words = false;
+    bool simple = true;  // the positional ones: floats and vectors, none of which may be left out
+  };
+  const OperandPlan& operand_plan(const scene::TypeInfo& info);
   std::vector<double> read_operands(const scene::TypeInfo& info, const Token& word);
+  bool read_camera_functions(const CameraSpec& c, std::array<functions::FunctionRef, 3>& out);
+
+  // ---- function_objects.cpp
+  static constexpr int most_traces = 10;  // of max_trace (objects §3)
+  scene::Object read_isosurface(std::uint32_t type, const Token& word);
+  scene::Object read_parametric(std::uint32_t type, const Token& word);
+  scene::Container read_container();
+  double read_positive(const Token& word, double fallback);
+  int read_max_trace(const Token& word);
+  void read_precompute(const Token& word);
+
   // ---- meshes.cpp
   scene::Object read_mesh(std::uint32_t type, const Token& word);
   scene::Object read_mesh2(std::uint32_t type, const Token& word);
@@ -434,6 +503,8 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   TextureMap read_texture_map(bool weights);
   scene::TextureId add_texture(scene::Texture texture);
   void share_texture(scene::TextureUse& use);
+  [[nodiscard]] static bool is_plain(const scene::Texture& texture);
+  bool quick_pigment(scene::TextureUse& use);
   scene::Pigment read_pigment(scene::Pigment start);
   void read_pigment_body(scene::Pigment& pigment, Token::Kind last);
   void start_pigment_pattern(scene::Pigment& pigment, std::uint32_t index, const Token& word);
@@ -467,6 +538,9 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   void read_warp(scene::Pattern& pattern, Span span);
   void skip_to(Token::Kind last);
   scene::Finish read_finish(scene::Finish start);
+  // ---- constant_blocks.cpp
+  const ast::Group* constant_block();
+  Boxed<scene::Finish> read_shared_finish(const Boxed<scene::Finish>& start);
   void read_reflection(scene::Finish& finish);
   scene::InteriorId read_interior();
   Material read_material();
@@ -537,8 +611,9 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   std::unordered_map<std::string, std::unique_ptr<const ast::Tree>> trees_;
   std::vector<std::unique_ptr<const ast::Tree>> main_trees_;
   std::vector<const ast::Tree*> tree_of_;  // by file
-  std::vector<std::vector<std::uint32_t>> codes_of_;  // by file, expression: 1 + index into codes_
-  std::vector<ScalarCode> codes_;
+  std::vector<std::vector<Formula*>> formulas_of_;  // by file, expression
+  std::deque<Formula> formulas_;
+  Formula no_formula_;
   std::unordered_set<std::uint64_t> warned_;
   std::unordered_set<Loc> reported_;  // places of errors
   bool failed_ = false;               // an error has been reported: there will be no scene
@@ -550,15 +625,31 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   std::unordered_map<SymbolId, std::uint32_t> pattern_words_;
   std::unordered_map<SymbolId, std::uint32_t> warp_words_;
   std::unordered_map<SymbolId, std::uint32_t> param_words_;
+  std::unordered_map<const scene::TypeInfo*, OperandPlan> operand_plans_;
 
   std::vector<std::uint32_t> streams_;  // states of rand()
+  std::vector<Draw>* peek_ = nullptr;   // what the innermost Peek has seen drawn
   functions::Workspace workspace_;      // of calls of functions
+  FormulaMachine machine_{env_, streams_, workspace_};
   scene::Scene scene_;
   std::vector<std::uint16_t> object_depths_;  // by object: 1 + that of its deepest child
   scene::TextureId default_texture_ = scene::none;
   bool reading_default_ = false;  // a normal may have settings and no pattern yet
-  /// Textures of one plain colour, by hash: objects that look alike share one.
-  std::unordered_multimap<std::size_t, scene::TextureId> plain_textures_;
+  /// Textures of one plain colour: objects that look alike share one.
+  std::unordered_map<PlainLook, scene::TextureId, PlainLook::Hash> plain_textures_;
+  std::unordered_map<const ast::Group*, bool> constant_;  // blocks, as far as known
+  struct FinishKey {
+    const ast::Group* block;
+    const void* start;
+    int version;
+    friend auto operator<=>(const FinishKey&, const FinishKey&) = default;
+  };
+  struct KnownFinish {
+    Boxed<scene::Finish> start;
+    Boxed<scene::Finish> made;
+  };
+  std::map<FinishKey, KnownFinish> finishes_;
+  scene::TextureId plain_base_ = scene::none;  // the last one that was found to be plain
   scene::TextureId own_texture_ = scene::none;  // made by the object statement being read
   std::shared_ptr<const CameraSpec> default_camera_;
   std::shared_ptr<const CameraSpec> camera_;

@@ -88,6 +88,14 @@ scene::ObjectId Interpreter::read_object(const Token& word) {
     unexpected(open, fmt::format("`{{` after `{}`", name_of(word.word)));
   }
 
+  if (const auto it = primitive_words_.find(word.word); it != primitive_words_.end()) {
+    std::vector<double> args;
+    if (quick_operands(*registry_.primitives[it->second], args, word)) {
+      scene::Object o = primitive(it->second, word);
+      o.args = std::move(args);
+      return read_object_modifiers(std::move(o), word, open.span);
+    }
+  }
   // `sphere { Thing … }` copies Thing, whatever it is (objects §8.1).
   const Token first = peek();
   if (first.is_place()) {
@@ -136,6 +144,12 @@ scene::ObjectId Interpreter::read_object(const Token& word) {
     if (const auto it = primitive_words_.find(w::poly); it != primitive_words_.end()) {
       return read_object_modifiers(read_polynomial(it->second, word), word, open.span);
     }
+  } else if (word.word == w::isosurface || word.word == w::parametric) {
+    if (const auto it = primitive_words_.find(word.word); it != primitive_words_.end()) {
+      return read_object_modifiers(word.word == w::isosurface ? read_isosurface(it->second, word)
+                                                              : read_parametric(it->second, word),
+                                   word, open.span);
+    }
   } else if (word.word == w::mesh || word.word == w::mesh2) {
     if (const auto it = primitive_words_.find(w::mesh); it != primitive_words_.end()) {
       return read_object_modifiers(word.word == w::mesh ? read_mesh(it->second, word)
@@ -174,21 +188,30 @@ void Interpreter::read_operand(const scene::Param& p, double* out) {
   }
 }
 
+const Interpreter::OperandPlan& Interpreter::operand_plan(const scene::TypeInfo& info) {
+  const auto [known, is_new] = operand_plans_.try_emplace(&info);
+  OperandPlan& plan = known->second;
+  if (!is_new) return plan;
+  for (std::size_t i = 0; i < info.params.size(); ++i) {
+    const scene::Param& p = info.params[i];
+    plan.offsets.push_back(static_cast<std::uint16_t>(plan.fallback.size()));
+    plan.fallback.insert(plan.fallback.end(), p.fallback.begin(),
+                         p.fallback.begin() + scene::width(p.kind));
+    if (p.positional) plan.positional = i + 1;
+    plan.has_words |= !p.positional;
+    plan.simple &= !p.positional || (!p.optional && (p.kind == scene::ArgKind::number ||
+                                                     p.kind == scene::ArgKind::vector));
+  }
+  return plan;
+}
+
 /// The operands of a primitive, pattern or warp: positional ones in order, then flags and keyword
 /// ones.
 std::vector<double> Interpreter::read_operands(const scene::TypeInfo& info, const Token& word) {
-  std::vector<double> args;
-  args.reserve(info.arg_count());
-  std::array<std::size_t, 32> offsets;  // NOLINT: filled as far as there are parameters
-  bool has_words = false;
-  for (std::size_t i = 0; i < info.params.size(); ++i) {
-    const scene::Param& p = info.params[i];
-    offsets[i] = args.size();
-    has_words |= !p.positional;
-    args.insert(args.end(), p.fallback.begin(), p.fallback.begin() + scene::width(p.kind));
-  }
-  const auto put = [&](std::size_t i) { read_operand(info.params[i], &args[offsets[i]]); };
-  for (std::size_t i = 0; i < info.params.size(); ++i) {
+  const OperandPlan& plan = operand_plan(info);
+  std::vector<double> args = plan.fallback;
+  const auto put = [&](std::size_t i) { read_operand(info.params[i], &args[plan.offsets[i]]); };
+  for (std::size_t i = 0; i < plan.positional; ++i) {
     const scene::Param& p = info.params[i];
     if (!p.positional) continue;
     const Token& t = peek();
@@ -206,11 +229,9 @@ std::vector<double> Interpreter::read_operands(const scene::TypeInfo& info, cons
     }
     put(i);
     // A comma after the last operand is an error in the language (language §1.8).
-    bool more = false;
-    for (std::size_t k = i + 1; k < info.params.size(); ++k) more |= info.params[k].positional;
-    if (more) optional_comma();
+    if (i + 1 < plan.positional) optional_comma();
   }
-  for (bool again = has_words; again;) {
+  for (bool again = plan.has_words; again;) {
     again = false;
     const Token t = peek();
     if (t.kind != Token::Kind::word) break;
@@ -222,20 +243,31 @@ std::vector<double> Interpreter::read_operands(const scene::TypeInfo& info, cons
       break;
     }
   }
+  check_operands(info, args, word);
+  return args;
+}
+
+void Interpreter::check_operands(const scene::TypeInfo& info, const std::vector<double>& args,
+                                 const Token& word) {
   if (info.validate != nullptr) {
     if (const auto problem = info.validate(args)) fail(Code::degenerate, word.span, *problem);
   }
   if (info.doubt != nullptr) {
     if (const auto doubt = info.doubt(args)) warn(Code::degenerate, word.span, *doubt);
   }
-  return args;
 }
 
-scene::Object Interpreter::read_primitive(std::uint32_t type, const Token& word) {
+/// A primitive without its operands.
+scene::Object Interpreter::primitive(std::uint32_t type, const Token& word) {
   scene::Object o;
   o.kind = scene::NodeKind::primitive;
   o.type = type;
   o.origin = origin(word.span);
+  return o;
+}
+
+scene::Object Interpreter::read_primitive(std::uint32_t type, const Token& word) {
+  scene::Object o = primitive(type, word);
   o.args = read_operands(*registry_.primitives[type], word);
   return o;
 }
@@ -361,6 +393,7 @@ scene::Object Interpreter::read_csg(scene::NodeKind kind, const Token& word) {
 scene::ObjectId Interpreter::read_object_modifiers(scene::Object object, const Token& word,
                                                    Span opened) {
   for (;;) {
+    if (quick_modifier(object)) continue;
     const Token t = next();
     if (t.kind == Token::Kind::close) break;
     if (t.is_punct(';')) continue;
@@ -528,22 +561,26 @@ void Interpreter::read_clips(scene::Object& o, bool clip) {
 
 // ---- transformations (objects §6) --------------------------------------------------------------
 
+/// `translate`, `rotate` or `scale` by a vector.
+Transform Interpreter::transformation(SymbolId word, dvec3 by, Span span) {
+  if (word == w::translate) return Transform::translate(by);
+  if (word == w::rotate) return Transform::rotate_deg(by);
+  for (int i = 0; i < 3; ++i) {
+    if (by[i] != 0) continue;
+    warn(Code::degenerate, span,
+         fmt::format("`scale` with {} = 0; 1 is used instead", "xyz"[i]));
+    by[i] = 1;
+  }
+  return Transform::scale(by);
+}
+
 /// The transformation that starts with `t`, or nothing if it starts none.
 std::optional<Transform> Interpreter::read_transformation(const Token& t) {
   if (t.kind != Token::Kind::word) return std::nullopt;
   switch (t.word) {
-    case w::translate: return Transform::translate(read_vector());
-    case w::rotate: return Transform::rotate_deg(read_vector());
-    case w::scale: {
-      dvec3 s = read_vector();
-      for (int i = 0; i < 3; ++i) {
-        if (s[i] != 0) continue;
-        warn(Code::degenerate, t.span,
-             fmt::format("`scale` with {} = 0; 1 is used instead", "xyz"[i]));
-        s[i] = 1;
-      }
-      return Transform::scale(s);
-    }
+    case w::translate:
+    case w::rotate:
+    case w::scale: return transformation(t.word, read_vector(), t.span);
     case w::matrix: return read_matrix(t);
     case w::transform: return read_transform_block();
     default: return std::nullopt;

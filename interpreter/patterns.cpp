@@ -1,5 +1,6 @@
 // Patterns, their modifiers and warps (textures §3, §4, §16).
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -117,7 +118,9 @@ void Interpreter::read_pattern_operands(scene::Pattern& p, const Token& word) {
   if (word.word == w::slope) return read_slope(p, word.span);
   if (word.word == w::magnet) return read_magnet(p, word.span);
   p.args = read_operands(info, word);
-  if (info.takes_function) p.function = read_scene_function();
+  if (info.takes_function) {
+    p.function = read_scene_function(std::array<SymbolId, 3>{w::x, w::y, w::z});
+  }
   if (info.takes_pigment) {
     p.pigment = std::make_shared<const scene::Pigment>(read_pigment({}));
   }

@@ -60,12 +60,12 @@ bool Interpreter::in_dictionary(SymbolId name) const {
 
 Interpreter::Place Interpreter::scope_entry(SymbolId scope, SymbolId name, Span span,
                                             Access access) {
-  const std::uint32_t wanted = scope == w::local ? env_.scope() : 0;
   if (access == Access::write) {
     check_new_name(name, span);
+    const std::uint32_t wanted = scope == w::local ? env_.scope() : 0;
     return {Environment::value_of(&env_.in_scope(name, wanted)), nullptr};
   }
-  Value* v = Environment::value_of(env_.find_in_scope(name, wanted));
+  Value* v = Environment::value_of(scope_slot(scope, name));
   if (v == nullptr && access == Access::read) unknown_name(name, span);
   return {v, nullptr};
 }
@@ -83,13 +83,8 @@ void Interpreter::no_entry(const Dictionary& dictionary, const Text& key, Span s
 /// The entry `key` of the dictionary that `holder` is; a new one if it is to be written.
 Interpreter::Place Interpreter::dictionary_entry(Value& holder, const Text& key, Span span,
                                                  Access access) {
+  if (access == Access::write) return {&own_dictionary(holder)->entries[key], nullptr};
   const auto& shared = *holder.get<std::shared_ptr<Dictionary>>();
-  if (access == Access::write) {
-    // Copies share until one of them is written.
-    const bool sole = shared.use_count() == 1 && std::get<Shared<Thing>>(holder.node).use_count() == 1;
-    if (!sole) holder = Value(std::make_shared<Dictionary>(*shared));
-    return {&(*holder.get<std::shared_ptr<Dictionary>>())->entries[key], nullptr};
-  }
   const auto it = shared->entries.find(key);
   if (it != shared->entries.end() && it->second.defined()) return {&it->second, nullptr};
   if (access == Access::read) no_entry(*shared, key, span);
@@ -118,7 +113,7 @@ Interpreter::Place Interpreter::step_into(Place from, const ast::Tree& tree, ast
       numbers.add(read_subscript(tree, at(used)));
     }
     if (access == Access::write) {
-      if (array->use_count() > 1) *array = std::make_shared<Array>(**array);
+      own_array(*from.value);
       if ((*array)->grows) grow(**array, numbers[0].value, numbers[0].span);
     }
     std::size_t taken = 0;
@@ -203,6 +198,100 @@ Value* Interpreter::entry(const ast::Tree& tree, ast::ExprId id, bool must_exist
     return place(tree, id, access).value;
   }
   return nullptr;
+}
+
+/// True if the expression is made of names, subscripts and keys, and may lead into a dictionary.
+/// Nothing is evaluated: subscripts may draw random numbers.
+bool Interpreter::leads_to_entry(const ast::Tree& tree, ast::ExprId id) const {
+  const auto& node = tree.exprs[id].node;
+  if (std::holds_alternative<ast::Name>(node)) return false;
+  const auto root = root_of(tree, id);
+  return root && in_dictionary(*root);
+}
+
+/// Makes `slot` stand for the entry or element that such an expression leads to. A component of a
+/// vector on the way has no place of its own: then the slot holds its value.
+void Interpreter::refer(const ast::Tree& tree, ast::ExprId id, Slot& slot) {
+  const ast::Expr& e = tree.exprs[id];
+  const auto start_at = [&](Slot* variable, SymbolId name, Span span) {
+    if (Environment::value_of(variable) == nullptr) unknown_name(name, span);
+    slot.target = variable;
+  };
+  const auto key_text = [&](SymbolId key) { return Text(name_of(key)); };
+  if (const auto* name = std::get_if<ast::Name>(&e.node)) {
+    return start_at(env_.find(name->name), name->name, e.span);
+  }
+  if (const auto* index = std::get_if<ast::Index>(&e.node)) {
+    ast::Range subscripts = index->subscripts;
+    if (is_scope(index->name)) {
+      const Text key = evaluate_text(tree, tree.expr_lists[subscripts.first]);
+      const SymbolId name = symbols_.intern(key.bytes());
+      start_at(scope_slot(index->name, name), name, e.span);
+      subscripts = {subscripts.first + 1, subscripts.count - 1};
+    } else {
+      start_at(env_.find(index->name), index->name, e.span);
+    }
+    return refer_into(tree, subscripts, slot, e.span);
+  }
+  if (const auto* element_of = std::get_if<ast::Element>(&e.node)) {
+    refer(tree, element_of->object, slot);
+    return refer_into(tree, element_of->subscripts, slot, e.span);
+  }
+  const auto& member = std::get<ast::Member>(e.node);
+  if (const auto* object = std::get_if<ast::Name>(&tree.exprs[member.object].node);
+      object != nullptr && is_scope(object->name)) {
+    return start_at(scope_slot(object->name, member.member), member.member, e.span);
+  }
+  refer(tree, member.object, slot);
+  Value& holder = *Environment::value_of(&slot);
+  if (const Num* number = holder.get<Num>()) {
+    Num n = *number;
+    n.length = take_member(n.v.data(), n.length, member.member, e.span, 1);
+    slot.target = nullptr;
+    slot.path.clear();
+    return store_number(slot.value, Num(n.v[0]));
+  }
+  if (!is_dictionary(holder)) {
+    fail(Code::wrong_kind, tree.exprs[member.object].span,
+         fmt::format("expected a dictionary, found {}", kind_name(holder)));
+  }
+  dictionary_entry(holder, key_text(member.member), e.span, Access::read);
+  slot.path.emplace_back(key_text(member.member));
+}
+
+/// Appends the steps of a list of subscripts to the path of `slot`.
+void Interpreter::refer_into(const ast::Tree& tree, ast::Range list, Slot& slot, Span span) {
+  for (std::uint32_t used = 0; used < list.count;) {
+    Value& holder = *Environment::value_of(&slot);
+    const auto at = [&](std::uint32_t i) { return tree.expr_lists[list.first + i]; };
+    if (is_dictionary(holder)) {
+      Text key = evaluate_text(tree, at(used));
+      dictionary_entry(holder, key, tree.exprs[at(used)].span, Access::read);
+      slot.path.emplace_back(std::move(key));
+      ++used;
+      continue;
+    }
+    const Array* array = own_array(holder);
+    if (array == nullptr) {
+      fail(Code::wrong_kind, span,
+           fmt::format("expected an array or dictionary, found {}", kind_name(holder)));
+    }
+    Subscripts numbers;
+    for (std::size_t d = 0; d < array->sizes.size() && used < list.count; ++d, ++used) {
+      numbers.add(read_subscript(tree, at(used)));
+    }
+    std::size_t taken = 0;
+    const std::size_t index = flat_index(numbers, *array, span, taken);
+    if (!array->elements[index].defined()) {
+      fail(Code::evaluation, span, "this array element has no value yet");
+    }
+    slot.path.emplace_back(index);
+  }
+}
+
+/// The slot of `name` in the scope that `local` or `global` stands for; null if there is none.
+Slot* Interpreter::scope_slot(SymbolId scope, SymbolId name) {
+  return env_.find_in_scope(name, scope == w::local ? env_.scope() : 0);
 }
 
 }  // namespace durer::interpreter

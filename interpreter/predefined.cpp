@@ -13,7 +13,7 @@ namespace {
 double six_digits(double x) { return std::strtod(fmt::sprintf("%g", x).c_str(), nullptr); }
 
 Value text_value(const std::string& s) {
-  return Value(std::make_shared<const Text>(Text(s)));
+  return text_value(Text(s));
 }
 
 }  // namespace

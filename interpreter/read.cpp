@@ -1,6 +1,7 @@
 // Readers that pull from the stream: expressions operand by operand, strings, colours, and values
 // of any kind.
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -29,6 +30,19 @@ bool Interpreter::accept_punct(char c) {
 
 /// Commas between operands are optional (language §1.8).
 void Interpreter::optional_comma() { accept_raw_comma_or_peek(); }
+
+/// The same between arguments of functions: a comma that nothing follows has lost an argument. True
+/// if there was one.
+bool Interpreter::argument_comma() {
+  const Token t = raw_next();
+  optional_comma();
+  if (!t.is_punct(',')) return false;
+  if (peek().kind == Token::Kind::end) {
+    fail(Code::missing_argument, t.span, "expected another argument after this comma",
+         "remove the comma if the arguments are complete");
+  }
+  return true;
+}
 
 /// Takes a comma if one follows. Nothing is executed to find out when the next item tells.
 void Interpreter::accept_raw_comma_or_peek() {
@@ -186,10 +200,9 @@ const ast::Unary* leading_sign(const ast::Tree& tree, ast::ExprId id) {
 
 }  // namespace
 
-namespace {
 /// True if what is written at `pos` of the frame cannot continue an expression, whatever directives
 /// would do. `full`: nor as a relation.
-bool ends_expression(const Frame& f, std::uint32_t pos, bool full) {
+bool Interpreter::ends_expression(const Frame& f, std::uint32_t pos, bool full) {
   if (pos >= f.end) return f.kind == Frame::Kind::group || f.kind == Frame::Kind::barrier;
   const ast::Item& item = f.tree->items[pos];
   switch (item.kind) {
@@ -206,7 +219,6 @@ bool ends_expression(const Frame& f, std::uint32_t pos, bool full) {
   }
   return false;
 }
-}  // namespace
 
 /// The commonest case by far: the next item is a whole expression that needs no spelling out, and
 /// nothing that could continue it follows. Takes it and says which; `none` otherwise.
@@ -553,55 +565,65 @@ void Interpreter::continue_colour(Num& c) {
   }
 }
 
+namespace {
+/// How the operand of `rgb` and its like is read.
+struct ColourForm {
+  int wanted = 0;  // components; 0: no such word
+  bool moves_transmit = false;
+  bool is_srgb = false;
+};
+
+ColourForm colour_form(SymbolId word) {
+  switch (word) {
+    case w::rgb: return {3};
+    case w::rgbf: return {4};
+    case w::rgbt: return {4, true};
+    case w::rgbft: return {5};
+    case w::srgb: return {3, false, true};
+    case w::srgbf: return {4, false, true};
+    case w::srgbt: return {4, true, true};
+    case w::srgbft: return {5, false, true};
+    default: return {};
+  }
+}
+
+/// The colour that `n` means after a word of that form.
+Num to_colour(const Num& n, const ColourForm& form) {
+  Num c = n;
+  c.length = 5;
+  for (auto i = static_cast<std::size_t>(std::max(n.length, form.wanted)); i < 5; ++i) c.v[i] = 0;
+  if (form.moves_transmit) c.v[4] = std::exchange(c.v[3], 0);
+  return c;
+}
+}  // namespace
+
+/// Warns of components that `rgb` or its like does not take.
+void Interpreter::check_components(const Num& n, int wanted, SymbolId word, Span span) {
+  if (n.length <= wanted) return;
+  warn(Code::evaluation, span,
+       fmt::format("`{}` takes {} components, here are {}", name_of(word), wanted, n.length));
+}
+
 /// `strict`: a bare expression must be a colour, not just any vector.
 Num Interpreter::read_colour_num(bool strict) {
   Num c;
   c.length = 5;
-  const auto keyword = [&] { return accept(w::color) || accept(w::colour); };
-  keyword();
+  if (!accept(w::color)) accept(w::colour);
   const Token t = peek();
-  int wanted = 0;
-  bool moves_transmit = false;
-  bool is_srgb = false;
-  if (t.kind == Token::Kind::word) {
-    switch (t.word) {
-      case w::srgb: is_srgb = true; [[fallthrough]];
-      case w::rgb: wanted = 3; break;
-      case w::srgbf: is_srgb = true; [[fallthrough]];
-      case w::rgbf: wanted = 4; break;
-      case w::srgbt: is_srgb = true; [[fallthrough]];
-      case w::rgbt:
-        wanted = 4;
-        moves_transmit = true;
-        break;
-      case w::srgbft: is_srgb = true; [[fallthrough]];
-      case w::rgbft: wanted = 5; break;
-      default: break;
-    }
-  }
-  if (wanted > 0) {
+  const ColourForm form = t.kind == Token::Kind::word ? colour_form(t.word) : ColourForm{};
+  if (form.wanted > 0) {
     next();
-    if (is_srgb && !assumed_gamma_given_ && !native_) {
+    if (form.is_srgb && !assumed_gamma_given_ && !native_) {
       fail(Code::evaluation, t.span,
            fmt::format("`{}` needs `assumed_gamma` to be set before it", name_of(t.word)),
            "write `global_settings { assumed_gamma 1 }` at the top of the scene");
     }
-    const Num n = read_full(wanted);
-    if (n.length > wanted) {
-      warn(Code::evaluation, t.span,
-           fmt::format("`{}` takes {} components, here are {}", name_of(t.word), wanted, n.length));
-    }
-    c.v = n.v;
-    for (auto i = static_cast<std::size_t>(std::max(n.length, wanted)); i < 5; ++i) c.v[i] = 0;
-    if (moves_transmit) {
-      c.v[4] = c.v[3];
-      c.v[3] = 0;
-    }
-    if (is_srgb) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        c.v[i] = scene_.settings.assumed_gamma.encode(
-            GammaCurve::srgb().decode(static_cast<float>(c.v[i])));
-      }
+    const Num n = read_full(form.wanted);
+    check_components(n, form.wanted, t.word, t.span);
+    c = to_colour(n, form);
+    for (std::size_t i = 0; form.is_srgb && i < 3; ++i) {
+      c.v[i] = scene_.settings.assumed_gamma.encode(
+          GammaCurve::srgb().decode(static_cast<float>(c.v[i])));
     }
   } else if (t.kind == Token::Kind::expr) {
     const Num n = read_full(strict ? 1 : 5);
@@ -610,11 +632,57 @@ Num Interpreter::read_colour_num(bool strict) {
            fmt::format("expected a colour, found a {}", n.length == 1 ? "number" : "vector"),
            "write `rgb` before it");
     }
-    c.v = n.v;
-    for (auto i = static_cast<std::size_t>(n.length); i < 5; ++i) c.v[i] = 0;
+    c = to_colour(n, {});
   }
   continue_colour(c);
   return c;
+}
+
+/// If the next block holds one colour and nothing else, takes the block. None, with nothing done,
+/// if it holds anything else.
+std::optional<Colour> Interpreter::quick_colour_block() {
+  Frame& f = frames_.back();
+  if (unread_.size() > unread_base_ || !f.has_items() || f.pos >= f.end) return std::nullopt;
+  const ast::Tree& tree = *f.tree;
+  const ast::Item& block = tree.items[f.pos];
+  if (block.kind != ast::ItemKind::braces) return std::nullopt;
+  const ast::Range items = tree.groups[block.ref].items;
+  const auto word = [&](std::uint32_t i) {
+    const ast::Item& item = tree.items[items.first + i];
+    return i < items.count && item.kind == ast::ItemKind::word ? item.ref
+                                                               : grammar::SymbolTable::none;
+  };
+  std::uint32_t words = word(0) == w::color || word(0) == w::colour ? 1 : 0;
+  const ColourForm form = colour_form(word(words));
+  if (form.is_srgb) return std::nullopt;
+  if (form.wanted > 0) ++words;
+  if (words + 1 != items.count) return std::nullopt;
+  const ast::Item& last = tree.items[items.first + words];
+  if (last.kind != ast::ItemKind::expr) return std::nullopt;
+  if (tree.exprs[last.ref].may_expand && needs_expansion(tree, last.ref)) return std::nullopt;
+  Num n;
+  if (words == 0) {
+    // Something declared: it may be a colour, a pigment, or an error.
+    const auto* name = std::get_if<ast::Name>(&tree.exprs[last.ref].node);
+    const Value* v = name == nullptr ? nullptr : Environment::value_of(env_.find(name->name));
+    const Num* known = v == nullptr ? nullptr : v->get<Num>();
+    if (name == nullptr) {
+      const Operand* element = array_of(tree.exprs[last.ref]) ? quick(tree, last.ref, 1) : nullptr;
+      if (element == nullptr || element->is_text()) return std::nullopt;
+      n = element->number();
+    } else if (known != nullptr && !env_.find(name->name)->deprecated) {
+      n = *known;
+    }
+    if (n.length != 5) return std::nullopt;
+  } else {
+    n = evaluate_full(tree, last.ref, form.wanted > 0 ? form.wanted : 5);
+    if (form.wanted > 0) {
+      const ast::Item& keyword = tree.items[items.first + words - 1];
+      check_components(n, form.wanted, keyword.ref, keyword.span);
+    }
+  }
+  ++frames_.back().pos;
+  return to_colour(n, form).colour();
 }
 
 Colour Interpreter::read_colour() { return read_colour_num().colour(); }
@@ -652,7 +720,7 @@ Value Interpreter::read_value() {
         return *v;
       }
     }
-    if (is_text(*t.tree, t.expr)) return Value(std::make_shared<const Text>(read_text()));
+    if (is_text(*t.tree, t.expr)) return text_value(read_text());
     return Value(read_num(1));
   }
   if (t.kind == Token::Kind::punct) return Value(read_num(1));

@@ -166,6 +166,11 @@ Shared<CameraSpec> Interpreter::read_camera(Span span) {
       continue;
     }
     if (t.kind == Token::Kind::expr) {
+      if (const auto* name = t.node<ast::Name>();
+          name != nullptr && name->name == grammar::additions::user_defined && version() >= 380) {
+        c.kind = scene::Camera::Kind::user_defined;
+        continue;
+      }
       const Value* v = lookup(*t.tree, t.expr, false);
       const auto* ref = v == nullptr ? nullptr : v->get<Shared<CameraSpec>>();
       if (ref == nullptr) bad_setting(t, "camera", span, camera_settings);
@@ -176,8 +181,12 @@ Shared<CameraSpec> Interpreter::read_camera(Span span) {
     switch (t.word) {
       case w::perspective: c.kind = scene::Camera::Kind::perspective; break;
       case w::orthographic: c.kind = scene::Camera::Kind::orthographic; break;
-      case w::location: c.location = read_vector(); break;
-      case w::direction: c.direction = read_vector(); break;
+      case w::location:
+        if (!read_camera_functions(c, c.location_functions)) c.location = read_vector();
+        break;
+      case w::direction:
+        if (!read_camera_functions(c, c.direction_functions)) c.direction = read_vector();
+        break;
       case w::right:
         c.right = read_vector();
         c.right_or_up_given = true;
@@ -218,6 +227,22 @@ Shared<CameraSpec> Interpreter::read_camera(Span span) {
     }
   }
   return std::make_shared<const CameraSpec>(std::move(c));
+}
+
+/// `{ function {…} function {…} function {…} }` after `location` or `direction` of a camera that is
+/// user_defined (shading §12); false if a vector stands there.
+bool Interpreter::read_camera_functions(const CameraSpec& c,
+                                        std::array<functions::FunctionRef, 3>& out) {
+  if (c.kind != scene::Camera::Kind::user_defined || peek().kind != Token::Kind::open) return false;
+  const Token open = next();
+  for (functions::FunctionRef& f : out) {
+    const Token t = next();
+    if (!t.is(w::function)) unexpected(t, "three functions of u and v");
+    f = read_scene_function(std::array<SymbolId, 2>{w::u, w::v});
+    optional_comma();
+  }
+  expect_close("camera", open.span);
+  return true;
 }
 
 /// Angle, look_at, scaling of orthographic views and transformations, in this order (shading §2.2).
@@ -275,6 +300,11 @@ scene::Camera Interpreter::finish_camera(const CameraSpec& c) {
   out.direction = c.transform.vector(direction);
   out.right = c.transform.vector(right);
   out.up = c.transform.vector(up);
+  if (c.kind == scene::Camera::Kind::user_defined) {
+    out.location_functions = c.location_functions;
+    out.direction_functions = c.direction_functions;
+    out.transform = SharedTransform(c.transform);
+  }
   out.origin = c.origin;
   return out;
 }

@@ -422,14 +422,14 @@ void Interpreter::Nested::open(const ast::Tree& tree) {
   in_.push(f);
 }
 
-Interpreter::Nested::Nested(Interpreter& in, const ast::Tree& tree, ast::Range items) : in_(in) {
+Interpreter::Nested::Nested(Interpreter& in, const ast::Tree& tree, ast::Range items, Span whole)
+    : in_(in) {
   open(tree);
   in_.frames_.back().first = items.first;
   in_.frames_.back().pos = items.first;
   in_.frames_.back().end = items.first + items.count;
-  if (items.count > 0) {
-    in_.frames_.back().call = tree.items[items.first + items.count - 1].span;
-  }
+  in_.frames_.back().call =
+      items.count > 0 ? tree.items[items.first + items.count - 1].span : whole;
 }
 
 Interpreter::Nested::Nested(Interpreter& in, const ast::Tree& tree, ast::ExprId expr) : in_(in) {

@@ -14,9 +14,7 @@ namespace durer::interpreter {
 
 namespace w = grammar::words;
 
-/// `str` (language §3.5): what C's printf makes of `f`, width > 0 pads with blanks, < 0 with zeros;
-/// decimals < 0 means 6. Longer than 254 characters it becomes `g`.
-void Interpreter::append_number(double value, int width, int decimals, Text& out) {
+void append_number(double value, int width, int decimals, Text& out) {
   const int places = decimals < 0 ? 6 : decimals;
   constexpr int longest = 254;
   if (places > longest || width > longest || width < -longest) {

@@ -28,6 +28,25 @@ class Text {
   void append(const Text& other) { append(other, 0, other.size()); }
   /// `count` codes of `other` from `first` on; they must be there. `other` may be this text.
   void append(const Text& other, std::size_t first, std::size_t count);
+  void clear() {
+    narrow_.clear();
+    if (!wide_.empty()) wide_.clear();
+  }
+  void swap(Text& other) {
+    narrow_.swap(other.narrow_);
+    if (!wide_.empty() || !other.wide_.empty()) wide_.swap(other.wide_);
+  }
+  /// The same as `=`, in the memory that this text has already.
+  void assign(const Text& other) {
+    if (this == &other) return;
+    clear();
+    append(other);
+  }
+  /// Keeps `count` codes from `first` on; they must be there.
+  void keep(std::size_t first, std::size_t count) {
+    erase(first + count, size());
+    erase(0, first);
+  }
   /// Removes the codes from `first` to before `end`.
   void erase(std::size_t first, std::size_t end);
   /// Maps the ASCII letters from `first` on.
@@ -50,5 +69,10 @@ class Text {
   std::string narrow_;
   std::u16string wide_;  // if not empty, everything; then narrow_ is empty
 };
+
+/// Appends what `str` makes of a number: C's printf with `decimals` places (< 0 means 6), padded to
+/// `width` with blanks, or with zeros if it is negative; longer than 254 characters it becomes `%g`
+/// (language §3.5).
+void append_number(double value, int width, int decimals, Text& out);
 
 }  // namespace durer::interpreter

@@ -13,6 +13,7 @@ namespace w = grammar::words;
 /// Whatever the expression stands for: a number, a string, an object, a texture …
 Value Interpreter::evaluate_value(const ast::Tree& tree, ast::ExprId id) {
   const ast::Expr& e = tree.exprs[id];
+  if (const Operand* quickly = quick(tree, id, 1)) return take_result(*quickly);
   if (e.may_expand && needs_expansion(tree, id, true)) {
     Nested part(*this, tree, id);
     Value v = read_value();
@@ -44,8 +45,17 @@ Value Interpreter::evaluate_value(const ast::Tree& tree, ast::ExprId id) {
       });
     }
   }
-  if (is_text(tree, id)) return Value(std::make_shared<const Text>(evaluate_text(tree, id)));
+  if (is_text(tree, id)) return text_value(evaluate_text(tree, id));
   return Value(evaluate(tree, id, 1));
+}
+
+Value Interpreter::take_result(const Operand& result) {
+  if (result.is_text()) {
+    Text text;
+    machine_.take_text(text);
+    return text_value(std::move(text));
+  }
+  return Value(result.number());
 }
 
 void Interpreter::check_copyable(const Value& v, SymbolId name, Span span) {
@@ -73,6 +83,7 @@ bool Interpreter::is_text(const ast::Tree& tree, ast::ExprId id) {
   if (std::holds_alternative<ast::String>(e.node)) return true;
   if (const auto* p = std::get_if<ast::Paren>(&e.node)) return is_text(tree, p->inner);
   if (std::holds_alternative<ast::Name>(e.node) || array_of(e)) {
+    const Peek peek(*this);
     const Value* v = lookup(tree, id, false);
     return v != nullptr && v->get<Shared<Text>>() != nullptr;
   }
@@ -115,6 +126,9 @@ Text Interpreter::evaluate_text(const ast::Tree& tree, ast::ExprId id, bool file
 
 void Interpreter::append_text(const ast::Tree& tree, ast::ExprId id, Text& out, bool file_name) {
   const ast::Expr& e = tree.exprs[id];
+  if (const Operand* quickly = quick(tree, id, 1); quickly != nullptr && quickly->is_text()) {
+    return out.append(*quickly->string);
+  }
   if (e.may_expand && needs_expansion(tree, id, true)) {
     Nested part(*this, tree, id);
     out.append(read_text(file_name));

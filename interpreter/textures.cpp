@@ -1,7 +1,5 @@
 // Textures, pigments and maps (textures §11, §14, §16).
-#include <bit>
 #include <cmath>
-#include <cstdint>
 
 #include <fmt/format.h>
 
@@ -17,43 +15,6 @@ namespace w = grammar::words;
 scene::TextureId Interpreter::add_texture(scene::Texture texture) {
   scene_.textures.push_back(std::move(texture));
   return static_cast<scene::TextureId>(scene_.textures.size() - 1);
-}
-
-/// Made by the object statement that ends here: if an earlier one looks the same, that is used, and
-/// this one goes. Only for a single plain colour, where a look is quickly compared.
-void Interpreter::share_texture(scene::TextureUse& use) {
-  if (use.texture + 1U != scene_.textures.size()) return;
-  const auto key_of = [](const scene::Texture& t) {
-    const scene::Layer& l = t.layers[0];
-    const Colour& c = l.pigment->colour;
-    std::size_t h = reinterpret_cast<std::uintptr_t>(l.finish.identity());
-    for (const float x : {c.rgb.x, c.rgb.y, c.rgb.z, c.filter, c.transmit}) {
-      h = (h ^ std::bit_cast<std::uint32_t>(x)) * 0x9E3779B97F4A7C15U;
-      h ^= h >> 29U;
-    }
-    return h;
-  };
-  const scene::Texture& own = scene_.textures[use.texture];
-  if (own.layers.size() != 1 || scene::has_place(own) || !own.unsupported.empty() ||
-      !own.layers[0].unsupported.empty() || !own.layers[0].pigment->unsupported.empty() ||
-      own.layers[0].pigment->uv_mapping) {
-    return;
-  }
-  const auto same = [&](const scene::Texture& t) {
-    const Colour& a = t.layers[0].pigment->colour;
-    const Colour& b = own.layers[0].pigment->colour;
-    return t.layers[0].finish.same(own.layers[0].finish) && a.rgb == b.rgb &&
-           a.filter == b.filter && a.transmit == b.transmit;
-  };
-  const std::size_t key = key_of(own);
-  const auto [first, last] = plain_textures_.equal_range(key);
-  for (auto it = first; it != last; ++it) {
-    if (!same(scene_.textures[it->second])) continue;
-    use = {it->second, {}};
-    scene_.textures.pop_back();
-    return;
-  }
-  plain_textures_.emplace(key, use.texture);
 }
 
 void Interpreter::transform_texture(scene::Texture& texture, const Transform& t) {
@@ -125,6 +86,7 @@ void Interpreter::add_layers(scene::TextureUse& use, scene::TextureId added) {
 /// is a copy of the default if there is none.
 void Interpreter::edit_texture(scene::TextureUse& use, const Token& word) {
   if (use.texture == scene::none) use = {default_texture_, {}};
+  if (word.is(w::pigment) && quick_pigment(use)) return;
   scene::Texture t;
   const bool own = use.texture == own_texture_ && own_texture_ != scene::none;
   if (own) {
@@ -147,7 +109,7 @@ void Interpreter::edit_texture(scene::TextureUse& use, const Token& word) {
 void Interpreter::edit_layer(scene::Layer& layer, const Token& word) {
   switch (word.word) {
     case w::pigment: layer.pigment = read_pigment(*layer.pigment); return;
-    case w::finish: layer.finish = read_finish(*layer.finish); return;
+    case w::finish: layer.finish = read_shared_finish(layer.finish); return;
     default: layer.normal = read_normal(*layer.normal); return;
   }
 }

@@ -47,6 +47,22 @@ std::string_view kind_name(const Value& value) {
   return std::visit(Visitor{}, value.node);
 }
 
+Array* own_array(Value& v) {
+  auto* array = v.get<std::shared_ptr<Array>>();
+  if (array == nullptr) return nullptr;
+  if (array->use_count() > 1) *array = std::make_shared<Array>(**array);
+  return array->get();
+}
+
+Dictionary* own_dictionary(Value& v) {
+  const auto* dictionary = v.get<std::shared_ptr<Dictionary>>();
+  if (dictionary == nullptr) return nullptr;
+  const bool sole =
+      dictionary->use_count() == 1 && std::get<Shared<Thing>>(v.node).use_count() == 1;
+  if (!sole) v = Value(std::make_shared<Dictionary>(**dictionary));
+  return v.get<std::shared_ptr<Dictionary>>()->get();
+}
+
 int component_slot(grammar::SymbolId member) {
   namespace w = grammar::words;
   switch (member) {

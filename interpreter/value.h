@@ -192,6 +192,11 @@ struct Value {
       std::is_same_v<T, MacroRef>;
 };
 
+/// A string as a value. Its text is nobody else's, so that who alone holds it may change it.
+[[nodiscard]] inline Value text_value(Text text) {
+  return Value(Shared<Text>(std::make_shared<Text>(std::move(text))));
+}
+
 struct Dictionary {
   Dictionary() = default;
   Dictionary(const Dictionary&) = default;
@@ -199,6 +204,11 @@ struct Dictionary {
   ~Dictionary();
   std::map<Text, Value> entries;
 };
+
+/// What the array or dictionary in `v` holds, for writing: copies share it until one is written. Null
+/// if `v` is none.
+Array* own_array(Value& v);
+Dictionary* own_dictionary(Value& v);
 
 /// The slot of a component that a member names (language §2.4): x u red 0, y v green 1, z blue 2,
 /// t filter 3, transmit 4; -1 for every other word.

@@ -24,8 +24,25 @@ void Interpreter::obsolete_directive(const Token& word, std::string_view name) {
     return;
   }
   ast::Declare node;
-  node.name = read_name("a name to declare");
-  node.target = last_span_;
+  const Token target = peek();
+  const Span gap{word.span.end(), target.span.begin - word.span.end()};
+  if (target.span.begin > word.span.end()) {
+    const std::string_view between = sources_.text(gap);
+    const std::size_t mark = between.find_first_not_of(" \t\r\n");
+    if (mark != std::string_view::npos && between[mark] == '#') {
+      fail(Code::unexpected_item, {static_cast<Loc>(gap.begin + mark), 1},
+           "expected a name to declare, found `#`");
+    }
+  }
+  if (const auto* index = target.node<ast::Index>()) {
+    next();
+    node.name = index->name;
+    node.subscripts = index->subscripts;
+    node.target = target.span;
+  } else {
+    node.name = read_name("a name to declare");
+    node.target = last_span_;
+  }
   const Token equals = next();
   if (!equals.is_punct('=')) unexpected(equals, "`=`");
   try {
@@ -35,8 +52,9 @@ void Interpreter::obsolete_directive(const Token& word, std::string_view name) {
     declare_depth_ = outer;
     node.semicolon = accept_raw_punct(';');
     if (!node.semicolon && value.is_num()) missing_semicolon(node, *value.get<Num>());
-    check_may_change(env_.find(node.name), node.target);
-    assign(*word.tree, node, std::move(value), env_.scope(), env_.find(node.name));
+    if (node.subscripts.count == 0) check_may_change(env_.find(node.name), node.target);
+    assign(target.tree != nullptr ? *target.tree : *word.tree, node, std::move(value), env_.scope(),
+           env_.find(node.name));
   } catch (const Failure&) {
     poison(node.name, 0, true);
     throw;

@@ -20,6 +20,9 @@ inline constexpr bool complete =
 static_assert(complete<Object>);
 static_assert(complete<ObjectExtras>);
 static_assert(complete<Mesh>);
+static_assert(complete<Container>);
+static_assert(complete<Isosurface>);
+static_assert(complete<Parametric>);
 static_assert(complete<TextureUse>);
 static_assert(complete<Root>);
 static_assert(complete<Light>);
@@ -169,6 +172,20 @@ class Dumper {
   void value(std::string_view name, const std::shared_ptr<const Pigment>& x) {
     x ? structure(name, *x) : out_.nothing(name);
   }
+  void value(std::string_view name, const std::shared_ptr<const Isosurface>& x) {
+    x ? structure(name, *x) : out_.nothing(name);
+  }
+  void value(std::string_view name, const std::shared_ptr<const Parametric>& x) {
+    x ? structure(name, *x) : out_.nothing(name);
+  }
+  void value(std::string_view name, const std::array<functions::FunctionRef, 3>& list) {
+    out_.open_list(name);
+    for (const functions::FunctionRef& x : list) value("", x);
+    out_.close_list();
+  }
+  void value(std::string_view name, const dvec2& v) {
+    out_.numbers(name, {number_text(v.x), number_text(v.y)});
+  }
   void value(std::string_view name, const functions::FunctionRef& x) {
     x ? out_.word(name, functions::dump(*x)) : out_.nothing(name);
   }
@@ -181,6 +198,12 @@ class Dumper {
   template <typename T>
   void value(std::string_view name, const std::optional<T>& x) {
     x ? value(name, *x) : out_.nothing(name);
+  }
+  template <typename T>
+  void value(std::string_view name, const Chunked<T>& list) {
+    out_.open_list(name);
+    for (const T& x : list) value("", x);
+    out_.close_list();
   }
   template <typename T>
   void value(std::string_view name, const std::vector<T>& list) {

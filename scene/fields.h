@@ -45,6 +45,8 @@ concept HasFields = requires {
 template <>
 struct Fields<ObjectExtras> {
   static constexpr std::tuple all{field("mesh", &ObjectExtras::mesh),
+                                  field("isosurface", &ObjectExtras::isosurface),
+                                  field("parametric", &ObjectExtras::parametric),
                                   field("interior_texture", &ObjectExtras::interior_texture),
                                   field("clips", &ObjectExtras::clips, Role::id),
                                   field("bounds", &ObjectExtras::bounds, Role::id),
@@ -75,6 +77,35 @@ struct Fields<Object> {
       field("transform", &Object::transform),
       field("texture", &Object::texture),
       field("extras", &Object::extras)};
+};
+
+template <>
+struct Fields<Container> {
+  static constexpr std::tuple all{
+      field("kind", &Container::kind), field("lo", &Container::lo), field("hi", &Container::hi),
+      field("centre", &Container::centre), field("radius", &Container::radius)};
+};
+
+template <>
+struct Fields<Isosurface> {
+  static constexpr std::tuple all{field("function", &Isosurface::function),
+                                  field("container", &Isosurface::container),
+                                  field("threshold", &Isosurface::threshold),
+                                  field("accuracy", &Isosurface::accuracy),
+                                  field("max_gradient", &Isosurface::max_gradient),
+                                  field("evaluate", &Isosurface::evaluate),
+                                  field("max_trace", &Isosurface::max_trace),
+                                  field("open", &Isosurface::open)};
+};
+
+template <>
+struct Fields<Parametric> {
+  static constexpr std::tuple all{field("functions", &Parametric::functions),
+                                  field("from", &Parametric::from),
+                                  field("to", &Parametric::to),
+                                  field("container", &Parametric::container),
+                                  field("accuracy", &Parametric::accuracy),
+                                  field("max_gradient", &Parametric::max_gradient)};
 };
 
 template <>
@@ -127,6 +158,9 @@ struct Fields<Camera> {
                                   field("direction", &Camera::direction),
                                   field("right", &Camera::right),
                                   field("up", &Camera::up),
+                                  field("location_functions", &Camera::location_functions),
+                                  field("direction_functions", &Camera::direction_functions),
+                                  field("transform", &Camera::transform),
                                   field("origin", &Camera::origin, Role::place)};
 };
 
@@ -317,12 +351,17 @@ struct Words<NodeKind> {
       "primitive", "union", "merge", "intersection", "difference", "light", "unsupported"};
 };
 template <>
+struct Words<Container::Kind> {
+  static constexpr std::array<std::string_view, 2> all{"box", "sphere"};
+};
+template <>
 struct Words<Light::Kind> {
   static constexpr std::array<std::string_view, 2> all{"point", "spotlight"};
 };
 template <>
 struct Words<Camera::Kind> {
-  static constexpr std::array<std::string_view, 2> all{"perspective", "orthographic"};
+  static constexpr std::array<std::string_view, 3> all{"perspective", "orthographic",
+                                                       "user_defined"};
 };
 template <>
 struct Words<GammaMode> {

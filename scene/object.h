@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/boxed.h"
+#include "scene/function_surface.h"
 #include "scene/mesh.h"
 #include "scene/texture.h"
 
@@ -30,6 +31,8 @@ enum class NodeKind : std::uint8_t {
 /// What few objects have.
 struct ObjectExtras {
   std::shared_ptr<const Mesh> mesh;  // `mesh`, `mesh2`: instead of `args`
+  std::shared_ptr<const Isosurface> isosurface;  // likewise
+  std::shared_ptr<const Parametric> parametric;
   TextureUse interior_texture;       // seen when hit from inside; none: same as texture
   std::vector<ObjectId> clips;       // `clipped_by`: a hit survives if inside all of them
   std::vector<ObjectId> bounds;      // `bounded_by`

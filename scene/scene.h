@@ -2,11 +2,13 @@
 // comparable; ids are indices into the vectors here.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/chunked.h"
 #include "base/colour.h"
 #include "base/gamma.h"
 #include "scene/object.h"
@@ -35,12 +37,17 @@ struct Light {
 
 /// Final vectors, after `angle`, `look_at` and all transformations (shading §2.2).
 struct Camera {
-  enum class Kind : std::uint8_t { perspective, orthographic };
+  enum class Kind : std::uint8_t { perspective, orthographic, user_defined };
   Kind kind = Kind::perspective;
   dvec3 location{0.0};
   dvec3 direction{0, 0, 1};
   dvec3 right{1.33, 0, 0};
   dvec3 up{0, 1, 0};
+  /// user_defined: functions of u and v, each -1/2…1/2 over the picture, to the right and upwards,
+  /// in the space of `transform`. None: `location`, or the direction of a perspective camera.
+  std::array<functions::FunctionRef, 3> location_functions;
+  std::array<functions::FunctionRef, 3> direction_functions;
+  SharedTransform transform;
   OriginId origin = 0;
 };
 
@@ -69,6 +76,12 @@ struct Settings {
   /// Hundredths; decides opacity, sky and gamma rules at render time (shading §1.1).
   int effective_version = 362;
   int declared_version = 370;
+
+  /// 1, 2 or 3: the version decides where nothing else does (builtin-functions §3).
+  [[nodiscard]] int resolved_noise_generator() const {
+    if (noise_generator != 0) return noise_generator;
+    return declared_version >= 350 ? 2 : 1;
+  }
 };
 
 /// An object of the scene's top level, with the default texture in force when it was complete.
@@ -78,7 +91,7 @@ struct Root {
 };
 
 struct Scene {
-  std::vector<Object> objects;
+  Chunked<Object> objects;
   std::vector<Root> roots;  // in order of declaration
   std::vector<Light> lights;
   std::vector<Texture> textures;

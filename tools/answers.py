@@ -44,7 +44,7 @@ def ask_oracle(scene: Path) -> Printed:
     line = re.match(r"[^']*' line (\d+): (.*(?:\n .*)*)", rest)
     if not found or not line:
         return Printed(text, f"ended with code {done.code}", 0)
-    return Printed(printed, " ".join(line[2].split()), int(line[1]))
+    return Printed(printed, " ".join(line[2].split()), int(line[1]), file=rest.partition("'")[0])
 
 
 def ask_durer(scene: Path) -> Printed:

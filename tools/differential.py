@@ -40,25 +40,39 @@ def same(oracle: str, durer: str, begins: bool = False) -> bool:
 
 
 def verdict(oracle: answers.Printed, durer: answers.Printed) -> str:
-    """`same`, `both fail`, `lenient`, `place` (the errors' lines differ), or what disagrees."""
+    """`same`, `both fail`, or how they disagree.
+
+    `lenient`: only POV-Ray rejects it; `place`: the errors' lines differ; `early`: durer sees the error
+    in an earlier line, and what it prints after that is not compared.
+    """
     if durer.error and durer.error.startswith(("crashed", "timed out")):
         return "crash"
     if oracle.error is None:
         if durer.error is not None:
             return "rejected"
         return "same" if same(oracle.text, durer.text) else "text"
-    place = durer.error is not None and oracle.line == durer.line
+    place = durer.error is not None and same_place(oracle, durer)
     if not same(oracle.text, durer.text, begins=True):
         early = durer.error is not None and "[D01" in durer.error
         if (place or early) and same(durer.text, oracle.text, begins=True):
             return "both fail"  # what cannot be parsed is found before anything is executed
+        if durer.error and durer.line < oracle.line:
+            return "early"
         return "rejected" if durer.error and same(durer.text, oracle.text, begins=True) else "text"
     if durer.error is None:
         return "lenient"
     return "both fail" if place or "[D01" in durer.error or not oracle.line else "place"
 
 
+def same_place(oracle: answers.Printed, durer: answers.Printed) -> bool:
+    """Whether both blame one line. In a file that #read reads, durer blames the #read and names the file."""
+    if oracle.file and oracle.file != durer.file:
+        return Path(oracle.file).name in (durer.error or "")
+    return oracle.line == durer.line
+
+
 BAD = ("text", "rejected", "crash")
+ALSO = ("lenient", "place", "early")
 
 
 def compare(source: str) -> tuple[str, answers.Printed, answers.Printed]:
@@ -171,7 +185,7 @@ def record(args: argparse.Namespace) -> int:
     kept, left_out = [], []
     with ThreadPoolExecutor(answers.AT_ONCE) as pool:
         for seed, source, (what, oracle, _) in pool.map(one, range(args.seed, args.seed + args.count)):
-            if what in ("same", "both fail", "place"):
+            if what in ("same", "both fail"):
                 kept.append({"source": source, "prints": oracle.text, "fails": oracle.error is not None})
             else:
                 left_out.append(f"{seed} ({what})")
@@ -215,7 +229,7 @@ def main() -> int:
             command.add_argument("--subject", choices=list(generators.SUBJECTS))
             command.add_argument("--reduce", type=int, default=5, metavar="N", help="disagreements to reduce (default 5)")
             command.add_argument("--show", action="store_true", help="print programs and answers")
-            command.add_argument("--also", nargs="*", default=[], choices=["lenient", "place"], help="list these too")
+            command.add_argument("--also", nargs="*", default=[], choices=ALSO, help="list these too")
     command = commands.add_parser("compare")
     command.set_defaults(action=compare_files)
     command.add_argument("files", nargs="+", type=Path)

@@ -32,6 +32,14 @@ double volume(const Bounds3& b) {
   return edges.x * edges.y * edges.z;
 }
 
+/// The box of an object whose operands are not numbers.
+std::optional<Bounds3> own_box(const scene::ObjectExtras& extras) {
+  if (extras.mesh != nullptr) return extras.mesh->bounds();
+  if (extras.isosurface != nullptr) return extras.isosurface->container.bounds();
+  if (extras.parametric != nullptr) return extras.parametric->container.bounds();
+  return std::nullopt;
+}
+
 class Measure {
  public:
   explicit Measure(const scene::Scene& scene) : scene_(scene) {}
@@ -68,7 +76,7 @@ class Measure {
 
  private:
   static std::optional<Bounds3> placed(const Object& o, const Transform& to_world) {
-    if (o.extras->mesh != nullptr) return o.extras->mesh->bounds().transformed(to_world.forward);
+    if (const auto b = own_box(*o.extras)) return b->transformed(to_world.forward);
     const PrimitiveType& type = *primitive_types()[o.type];
     TypeStores stores = type.make_stores();
     const auto ref = type.place(stores, o.args, to_world, false);
@@ -113,7 +121,7 @@ class Measure {
 
   Bounds3 half_space_or_box(const Object& child, ObjectId id, bool turned) {
     const bool inverted = turned != child.inverse;
-    if (child.extras->mesh != nullptr) return inverted ? Bounds3::everything() : box(id, {}, turned);
+    if (own_box(*child.extras)) return inverted ? Bounds3::everything() : box(id, {}, turned);
     const PrimitiveType& type = *primitive_types()[child.type];
     TypeStores stores = type.make_stores();
     const auto ref = type.place(stores, child.args, child.transform, inverted);

@@ -78,7 +78,9 @@ class SurfaceTable {
 class Flattener {
  public:
   Flattener(const scene::Scene& scene, Diagnostics& diagnostics)
-      : scene_(scene), diagnostics_(diagnostics), surfaces_(flat_.surfaces) {}
+      : scene_(scene), diagnostics_(diagnostics), surfaces_(flat_.surfaces) {
+    flat_.noise_generator = scene.settings.resolved_noise_generator();
+  }
 
   Flat run() {
     for (const scene::Root& root : scene_.roots) add_root(root, {});

@@ -59,6 +59,7 @@ struct Flat {
   std::vector<FlatNode> nodes;
   std::vector<FlatEntry> entries;
   std::vector<FlatGate> gates;
+  int noise_generator = 2;  // of functions that are shapes
 };
 
 /// Reports every object that cannot be rendered; the result is then incomplete.

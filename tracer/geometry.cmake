@@ -15,8 +15,13 @@ add_library(durer_geometry STATIC
   csg/gate.cpp
   csg/solid_targets.cpp
   csg/sweep.cpp
+  primitives/field_search.cpp
+  primitives/function_field.cpp
+  primitives/isosurface_shape.cpp
   primitives/mesh_shape.cpp
+  primitives/parametric_shape.cpp
   primitives/registry.cpp
+  primitives/sampled_search.cpp
   primitives/tube.cpp
   ${primitive_sources})
 add_library(durer::geometry ALIAS durer_geometry)

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/diagnostic.h"
@@ -92,6 +93,14 @@ class Geometry {
   [[nodiscard]] std::span<const InteriorInstance> interiors() const;
   /// Lights of the scene and of its objects, in world space, in order of declaration.
   [[nodiscard]] std::span<const scene::Light> lights() const;
+
+  /// What came to light about primitives while rays asked them: see Store::doubt. Each message once
+  /// per object of the scene.
+  struct Doubt {
+    scene::OriginId origin;
+    std::string message, remedy;
+  };
+  [[nodiscard]] std::vector<Doubt> doubts() const;
 
   /// Tells which surfaces stop all light, so that `occluded` can end at the first of them.
   void set_opaque(std::vector<bool> by_surface);

@@ -1,3 +1,5 @@
+#include <map>
+
 #include "tracer/csg/build.h"
 #include "tracer/csg/sweep.h"
 #include "tracer/geometry_state.h"
@@ -12,6 +14,7 @@ Geometry::State::State(Flat flat, Hierarchy hierarchy) {
     operands.push_back(type->make_stores());
   }
   solids = std::make_unique<SolidTargets>(parts);
+  around.noise_generator = flat.noise_generator;
   leaf_inverted.assign(flat.leaves.size(), 0);
   parts.gate_of_leaf.assign(flat.leaves.size(), scene::none);
   add_gates(flat);
@@ -52,8 +55,8 @@ void Geometry::State::add_entry(const Flat& flat, const FlatEntry& entry) {
 std::optional<ShapeRef> Geometry::State::place(std::vector<TypeStores>& stores,
                                                const FlatLeaf& part) {
   const std::uint32_t type = part.object->type;
-  const auto ref = place_object(*primitive_types()[type], stores[type], *part.object, part.to_world,
-                                part.inverted);
+  const auto ref = place_object(*primitive_types()[type], stores[type], *part.object, around,
+                                part.to_world, part.inverted);
   if (!ref) return ref;
   Tag& tag = ref->store->tags[ref->shape];
   tag = {part.leaf, part.mask, false};
@@ -115,6 +118,28 @@ void Geometry::State::set_opaque(const std::vector<bool>& by_surface) {
     }
   }
   solids->update_masks();
+}
+
+std::vector<Geometry::Doubt> Geometry::doubts() const {
+  std::map<scene::OriginId, Doubt> found;
+  const auto ask = [&](const Store& store) {
+    for (std::uint32_t i = 0; i < store.size(); ++i) {
+      auto [message, remedy] = store.doubt(i);
+      const std::uint32_t leaf = store.tags[i].leaf;
+      if (message.empty() || leaf == scene::none) continue;
+      const scene::OriginId origin = state_->leaves[leaf].origin;
+      found.try_emplace(origin, Doubt{origin, std::move(message), std::move(remedy)});
+    }
+  };
+  for (const auto* stores : {&state_->lone, &state_->operands}) {
+    for (const TypeStores& s : *stores) {
+      ask(*s.baked);
+      ask(*s.placed);
+    }
+  }
+  std::vector<Doubt> all;
+  for (auto& [origin, doubt] : found) all.push_back(std::move(doubt));
+  return all;
 }
 
 bool Geometry::State::body_contains(const Body& body, dvec3 p, SweepState& sweep) const {

@@ -12,7 +12,7 @@
 #include "tracer/csg/solid_targets.h"
 #include "tracer/flatten.h"
 #include "tracer/geometry.h"
-#include "tracer/primitives/typed_store.h"
+#include "tracer/primitives/describe.h"
 
 namespace durer::tracer {
 
@@ -33,6 +33,7 @@ struct Geometry::State {
 
   std::vector<TypeStores> lone;      // per primitive type: those that stand alone …
   std::vector<TypeStores> operands;  // … and those inside solids, clips and bounds
+  Surroundings around;
   Parts parts;
   std::unique_ptr<SolidTargets> solids;
   std::unique_ptr<Accel> accel;

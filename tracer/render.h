@@ -74,4 +74,8 @@ struct Checkpoint {
                                   const std::atomic<bool>* cancel = nullptr,
                                   Checkpoint* checkpoint = nullptr);
 
+/// Warns of what came to light while the scene was rendered, naming the objects: shapes whose
+/// settings did not suit them.
+void report_events(const CompiledScene& scene, Diagnostics& diagnostics);
+
 }  // namespace durer::tracer

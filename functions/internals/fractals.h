@@ -119,6 +119,8 @@ T with_uniform_parameters(const Args<T>& a, Sum sum) {
     }
   } else if constexpr (std::is_same_v<T, Interval>) {
     if (!uniform) return Interval::entire(true);
+  } else if constexpr (std::is_same_v<T, Trend>) {
+    if (!uniform) return Trend::erratic(Interval::entire(true));
   }
   return sum(a.x, a.y, a.z, p);
 }
@@ -148,6 +150,8 @@ T f_noise_generator(const Args<T>& a) {
     if (!uniform) return by_lane<1>(a, [](const auto& b) { return f_noise_generator(b); });
   } else if constexpr (std::is_same_v<T, Interval>) {
     if (!uniform) return {0, 1, true};
+  } else if constexpr (std::is_same_v<T, Trend>) {
+    if (!uniform) return Trend::erratic({0, 1, true});
   }
   return noise(a.x, a.y, a.z, generator_of(g));
 }

@@ -134,6 +134,8 @@ T f_polytubes(const Args<T>& a) {
     if (!uniform) return by_lane<6>(a, [](const auto& b) { return f_polytubes(b); });
   } else if constexpr (std::is_same_v<T, Interval>) {
     if (!uniform) return {0, 10000, true};
+  } else if constexpr (std::is_same_v<T, Trend>) {
+    if (!uniform) return Trend::erratic({0, 10000, true});
   }
   const T r = quartic_of_y(a, 1);
   T best(10000);

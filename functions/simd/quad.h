@@ -24,6 +24,12 @@ struct WideQuad {
   }
   DURER_INLINE WideQuad operator*(WideQuad o) const { return {v * o.v}; }
   DURER_INLINE WideQuad operator+(WideQuad o) const { return {v + o.v}; }
+  DURER_INLINE WideQuad operator-(WideQuad o) const { return {v - o.v}; }
+  DURER_INLINE WideQuad abs() const { return {v < 0 ? -v : v}; }
+  template <int lane>
+  DURER_INLINE double at() const {
+    return v[lane];
+  }
   DURER_INLINE double sum() const { return (v[0] + v[1]) + (v[2] + v[3]); }
 };
 
@@ -42,6 +48,12 @@ struct PairQuad {
   }
   DURER_INLINE PairQuad operator*(PairQuad o) const { return {lo * o.lo, hi * o.hi}; }
   DURER_INLINE PairQuad operator+(PairQuad o) const { return {lo + o.lo, hi + o.hi}; }
+  DURER_INLINE PairQuad operator-(PairQuad o) const { return {lo - o.lo, hi - o.hi}; }
+  DURER_INLINE PairQuad abs() const { return {lo < 0 ? -lo : lo, hi < 0 ? -hi : hi}; }
+  template <int lane>
+  DURER_INLINE double at() const {
+    return lane < 2 ? lo[lane & 1] : hi[lane & 1];
+  }
   DURER_INLINE double sum() const { return (lo[0] + lo[1]) + (hi[0] + hi[1]); }
 };
 

@@ -37,6 +37,9 @@ std::vector<scene::Object> samples_of(const PrimitiveType& type) {
   if (type.sample_meshes != nullptr) {
     for (auto& mesh : type.sample_meshes()) objects.emplace_back().extras.edit().mesh = std::move(mesh);
   }
+  if (type.sample_extras != nullptr) {
+    for (auto& extras : type.sample_extras()) objects.emplace_back().extras = std::move(extras);
+  }
   return objects;
 }
 
@@ -44,7 +47,7 @@ std::vector<scene::Object> samples_of(const PrimitiveType& type) {
 class Subject {
  public:
   Subject(const PrimitiveType& type, const scene::Object& object, const Transform& to_world)
-      : stores_(type.make_stores()), ref_(place_object(type, stores_, object, to_world, false)) {
+      : stores_(type.make_stores()), ref_(place_object(type, stores_, object, {}, to_world, false)) {
     if (!ref_) return;
     const Bounds3 box = surface_box();
     const bool endless = box.infinite();
@@ -135,7 +138,8 @@ TEST_CASE("primitives: every type is described", "[conformance]") {
   for (const PrimitiveType* type : primitive_types()) {
     CAPTURE(type->name);
     CHECK_FALSE(type->doc.empty());
-    CHECK(type->params.empty() == (type->place_mesh != nullptr));
+    CHECK(type->params.empty() ==
+          (type->place_mesh != nullptr || type->place_extras != nullptr));
     for (const scene::Param& p : type->params) CHECK_FALSE(p.doc.empty());
     names.push_back(type->name);
   }

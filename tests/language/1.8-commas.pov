@@ -79,6 +79,23 @@ sphere { 0, 1, }
 #declare M = color_map { [0 rgb 1], [1 rgb 0] }
 // error: D0201 at 1:35
 
+//= after the last argument of a built-in function
+#declare A = pow(2, 3,);
+// error: D0202 at 1:22
+
+//= after the last argument of a function
+#declare F = function(X) { X } #declare A = F(1,);
+// error: D0202 at 1:48
+
+//= after the last argument inside functions
+#declare F = function(X) { max(X, 2,) }
+// error: D0202 at 1:36
+
+//= after the last argument of a macro
+#macro M(A, B) A + B #end
+#debug concat(str(M(1, 2,), 0, 0), "\n")
+// expect: 3
+
 //= arguments of functions and splines
 #declare F = function(A, B) { A - B } #declare S = spline { 0 <0,0,0> 1 <1,1,1> }
 #debug concat(str(F(5 2), 0, 0), vstr(3, S(0.5, linear_spline), ",", 0, 1), "\n")

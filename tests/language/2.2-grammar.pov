@@ -162,6 +162,15 @@ global_settings { assumed_gamma 1 }
 // before
 // error: D0102 at 3:1
 
+//= a conditional chooses between numbers only
+#declare S = (1 ? "a" : "b");
+// error: D0204 at 1:19
+
+//= relations in a row, as arguments
+#declare A = 1; #declare B = 3; #declare V = <1, 2, 3>;
+#debug concat(str(int(A < B > 2), 0, 0), str(int(A < B > 0), 0, 0), str(int(!A < (V).u > B*2), 0, 0), "\n")
+// expect: 010
+
 //= more signs
 #debug concat(str(- - 2, 0, 0), str(!!5, 0, 0), str(-+-2, 0, 0), str(2*-+3, 0, 0), "\n")
 // expect: 212-6

@@ -52,3 +52,26 @@ global_settings { assumed_gamma 1 }
 #debug concat(str(rand(B), 0, 9), "\n")
 // expect: 0.500002874
 // expect: 0.500002874
+
+//= a subscript draws once, whatever the element is looked at for
+#declare S = seed(3);
+#declare A = array[4] {1, 2, 3, 4}
+#declare C = array[4] {rgb 1, rgb 0.5, rgb 0.2, rgb 0}
+#macro M(Q) #end
+#declare X = (A[int(rand(S)*4)]);
+#debug concat(str(rand(S), 0, 9), "\n")
+#if (A[int(rand(S)*4)]) #end
+#if (A[int(rand(S)*4)] > 2) #end
+#debug concat(str(rand(S), 0, 9), "\n")
+M(A[int(rand(S)*4)] + 1)
+#debug concat(str(rand(S), 0, 9), "\n")
+#declare Ball = sphere { 0, A[int(rand(S)*4)] hollow A[int(rand(S)*4)] pigment { C[int(rand(S)*4)] } }
+#debug concat(str(rand(S), 0, 9), "\n")
+#declare V = <A[int(rand(S)*4)], A[int(rand(S)*4)]>;
+#declare F = function { A[int(rand(S)*4)] }
+#debug concat(str(rand(S), 0, 9), "\n")
+// expect: 0.528236226
+// expect: 0.823436552
+// expect: 0.025859414
+// expect: 0.714558860
+// expect: 0.668461916

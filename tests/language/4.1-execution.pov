@@ -75,6 +75,12 @@ sphere { 0, 1 #if (1) +1 #end } box { 0 #declare Q = 4; 1 }
 #debug concat(str(A, 0, 0), "\n")
 // expect: 5
 
+//= a # before what cannot be a directive means nothing
+#declare S = "s"; #declare V = <1, 2, 3>; #declare F = function(X) { X }
+#debug concat("[" # S, # "]", vstr(3, # V, ",", 0, 0), str(# F(4) # * 2, 0, 0), "\n")
+sphere { 0, # (1) }
+// expect: [s]1,2,38
+
 //= a directive among the operators of a declare
 #declare A = #if (1) 1 #else 2 #end;
 // beyond

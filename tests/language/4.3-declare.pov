@@ -130,6 +130,17 @@ global_settings { assumed_gamma 1 }
 #declare A 1;
 // error: D0101 at 1:12
 
+//= without #, also of an element
+#declare A = array[2] { 1, 2 }
+declare A[1] = 7;
+declare B = 8;
+#debug concat(str(A[1], 0, 0), str(B, 0, 0), "\n")
+// expect: 78
+
+//= without #, and one too late
+declare# A = 1;
+// error: D0201 at 1:8
+
 //= @ may stand on the right
 #declare A = @ #debug concat(str(defined(A), 0, 0), "\n")
 // each: '1;' '<1,2>;' '<1,2,3>;' '<1,2,3,4>;' '<1,2,3,4,5>;' 'rgb 1;' '"s"' 'sphere { 0, 1 }' 'texture { pigment { rgb 1 } } texture { pigment { rgbt 1 } }'

@@ -215,6 +215,95 @@ Show(Ball -2*y, <1,2,3>)
 // expect: -0 -2 -0; 1 2 3
 // expect: -0 -2 -0; 1 2 3
 
+//= a macro of a value in a loop sees what it is called with, not what lies beneath
+#declare T = 5;
+#macro Twice(A) #local T = 2; (A*T) #end
+#for (I, 1, 2)
+  #declare R = Twice(T) + Twice(I);
+  #debug concat(str(R, 0, 3), " ", str(T, 0, 0), "\n")
+#end
+// expect: 12.000 5
+// expect: 14.000 5
+
+//= macros of values inside one another, by reference and by value
+#macro Inner(A, B) #local C = A - B; (C*C) #end
+#macro Outer(V, A) #local C = Inner(A, V.x) + Inner(V.y, A); (C + V.z) #end
+#declare P = <1, 2, 3>;
+#for (I, 1, 2)
+  #declare R = Outer(P, I);
+  #debug concat(str(R, 0, 3), " ", vstr(3, P*Outer(P + x, 2*I), " ", 0, 2), "\n")
+#end
+// expect: 4.000 3.00 6.00 9.00
+// expect: 4.000 11.00 22.00 33.00
+
+//= a macro that changes between two turns of a loop
+#for (I, 1, 3)
+  #if (I = 2) #undef M #end
+  #macro M(A) (A*I + (I > 1)) #end
+  #declare R = M(10);
+  #debug concat(str(R, 0, 3), "\n")
+#end
+// expect: 10.000
+// expect: 21.000
+// expect: 31.000
+
+//= the body of a macro reaches into the formula around its call
+#macro Sum(A, B) A + B #end
+#for (I, 1, 2)
+  #declare R = 2*Sum(I, 3);
+  #declare Q = Sum(I, 3)*2;
+  #debug concat(str(R, 0, 1), " ", str(Q, 0, 1), "\n")
+#end
+// expect: 5.0 7.0
+// expect: 7.0 8.0
+
+//= strings in loops keep what was assigned before
+#declare A = "one";
+#macro Tag(S, N) #local L = strlen(S); concat(S, "-", str(L + N, 0, 0)) #end
+#for (I, 1, 3)
+  #declare B = A;
+  #declare A = concat(Tag(A, I), "!");
+  #declare C = strupr(substr(A, 1, 3));
+  #debug concat(A, " ", B, " ", C, " ", vstr(2, <I, 1/3>, "/", -4, 1), "\n")
+#end
+// expect: one-4! one ONE 01.0/00.3
+// expect: one-4!-8! one-4! ONE 02.0/00.3
+// expect: one-4!-8!-12! one-4!-8! ONE 03.0/00.3
+
+//= lengths of vectors in loops: floats fill, short vectors are padded
+#declare U = <1, 2>;
+#declare F = 3;
+#for (I, 1, 2)
+  #declare V = F*U + <1, 1, 1>;
+  #declare W = (F + U) + <1, 1, 1>;
+  #declare K = rgb F*0.1 + U.x;
+  #declare L = -V + (U < 2) + y*I;
+  #debug concat(vstr(3, V, " ", 0, 1), ", ", vstr(3, W, " ", 0, 1), ", ", vstr(5, K, " ", 0, 1), "\n")
+  #debug concat(vstr(3, L, " ", 0, 1), " ", str(vlength(L), 0, 3), " ", str(vdot(U, V), 0, 3), "\n")
+#end
+// expect: 4.0 7.0 1.0, 5.0 6.0 1.0, 1.3 1.3 1.3 0.0 0.0
+// expect: -3.0 -6.0 -1.0 6.782 18.000
+// expect: 4.0 7.0 1.0, 5.0 6.0 1.0, 1.3 1.3 1.3 0.0 0.0
+// expect: -3.0 -5.0 -1.0 5.916 18.000
+
+//= an argument that is worked out may not be a local of the caller
+#declare G = 7;
+#macro Keep(A) #local G = A + 1; (G) #end
+#for (I, 1, 2)
+  #declare R = Keep(G);
+  #debug concat(str(R, 0, 0), " ", str(G, 0, 0), "\n")
+#end
+// expect: 8 7
+// expect: 8 7
+
+//= an undeclared argument of a macro of a value
+#macro One(A) (1) #end
+#for (I, 1, 2)
+  #declare R = One(Nothing);
+#end
+// error: D0203 at 3:20
+// error: D0203 at 3:20
+
 //= by reference: @
 #macro M(P) #declare P = 5; #end #declare A = @ M(A) #debug concat(str(A, 0, 0), "\n")
 // each: '1;' '<1,2>;' '<1,2,3>;' '<1,2,3,4>;' 'rgb 1;' '"s"' 'spline { 0, 1 }' 'array[2] { 1, 2 }' 'sphere { 0, 1 }' 'texture { pigment { rgb 1 } }' 'pigment { rgb 1 }' 'transform { scale 2 }' 'finish { phong 1 }'

@@ -181,6 +181,17 @@ global_settings { assumed_gamma 1 }
 #declare S = spline { 0, 1 } #declare A = S();
 // error: D0202 at 1:43
 
+//= last digits
+#declare L = spline { linear_spline 0, <1,2.7> 1.1, <2.3,0> 2, <4.1,1> 3.7, <0,1.3> }
+#debug concat(vstr(2, L(1.795), ",", 0, 18), "\n")
+#debug concat(vstr(2, L(1.795, quadratic_spline), ",", 0, 18), "\n")
+#debug concat(vstr(2, L(1.795, cubic_spline), ",", 0, 18), "\n")
+#debug concat(vstr(2, L(1.795, natural_spline), ",", 0, 18), "\n")
+// expect: 3.689999999999999503,0.772222222222222143
+// expect: 3.631714772727271612,0.518213762626261509
+// expect: 3.944911450287184707,0.765064662327706868
+// expect: 3.850228236288375516,0.690366956452247327
+
 //= a negative key needs a comma before it
 #declare S = spline { -1, <1,0,0>, -0.5, <2,0,0>, 0, <3,0,0> } #debug concat(vstr(3, S(-0.75), ",", 0, 3), "\n")
 // expect: 1.500,0.000,0.000

@@ -147,3 +147,22 @@ global_settings { assumed_gamma 1 }
 #declare F = function(X) { X + sin(1) + 2*3/7 - pi }
 #debug concat(str(F(1), 0, 15), "\n")
 // expect: -0.442978811639039
+
+//= minimum and maximum of zeros and of what is no number
+#declare Lo = function(X, Y) { min(X, Y) } #declare Hi = function(X, Y) { max(X, Y) } #declare N = acosh(0);
+#debug concat(str(Lo(0, -0), 0, 0), " ", str(Lo(-0, 0), 0, 0), " ", str(Hi(0, -0), 0, 0), " ", str(Hi(-0, 0), 0, 0), "\n")
+#debug concat(str(Lo(N, 1), 0, 0), " ", str(Lo(1, N), 0, 0), " ", str(Hi(N, 1), 0, 0), " ", str(Hi(1, N), 0, 0), "\n")
+// expect: 0 -0 0 -0
+// expect: 1 -nan -nan 1
+
+//= constants in later arguments
+#declare F = function(X) { max(-1, (5)/49) + max(-1, -5/-49)/1e3 }
+#debug concat(str(F(1), 0, 18), "\n")
+#declare G = function(X) { pow(atan(3), 7) + pow((3.7), 7) }
+#debug concat(str(G(1), 0, 15), "\n")
+// expect: 0.102142857142857132
+// expect: 9497.930662536242380
+
+//= a division by the constant zero in a later argument
+#declare F = function(X) { select(X, 3/0, 1) }
+// error: D0301 at 1:38

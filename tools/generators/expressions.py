@@ -220,8 +220,7 @@ def _vector_call(w: Writer, depth: int) -> str:
 def turbulence(w: Writer) -> None:
     """Printed with fewer digits: the order in which noise is summed shows in the last."""
     point = ", ".join(f"{w.rng.uniform(-5, 5):.3f}" for _ in range(3))
-    w.line(f'#debug concat("turbulence ", vstr(3, vturbulence({w.pick(("2", "1.5"))}, {w.pick(("0.5", "0.7"))}, '
-           f'{w.rng.randint(0, 11)}, <{point}>), " ", 0, 9), "\\n")')
+    w.show("v3", f'vturbulence({w.pick(("2", "1.5"))}, {w.pick(("0.5", "0.7"))}, {w.rng.randint(0, 11)}, <{point}>)', 9)
 
 
 def colour(w: Writer, depth: int) -> str:

@@ -63,7 +63,8 @@ def _bytes(w: Writer) -> None:
 
 def _append(w: Writer) -> None:
     path, handle, name = _file(w), w.fresh("F"), w.fresh("D")
-    w.line(f'#fopen {handle} "{path}" write #write ({handle}, {expressions.number(w, 0)}, ",") #fclose {handle}')
+    # In parentheses: POV-Ray writes no colours, not even a component of one.
+    w.line(f'#fopen {handle} "{path}" write #write ({handle}, ({expressions.number(w, 0)}), ",") #fclose {handle}')
     w.line(f'#fopen {handle} "{path}" append #write ({handle}, {w.rng.randint(0, 99)}, ",") #fclose {handle}')
     w.line(f'#fopen {handle} "{path}" read #while (defined({handle})) #read ({handle}, {name}) #ifdef ({name})')
     w.show("f", name)

@@ -24,14 +24,15 @@ def _scalar(w: Writer) -> None:
     w.names.setdefault("function", []).append(f"{name}/{len(parameters)}")
 
 
-def body(w: Writer, names: list[str], depth: int) -> str:
-    """A function expression over these names."""
+def body(w: Writer, names: list[str], depth: int, later: bool = False) -> str:
+    """A function expression over these names. `later`: in the second or a later argument of a call."""
     if depth <= 0 or w.chance(0.1):
         choices = [w.pick(names), w.pick(names), w.pick(("1", "2", "0.5", "3", "10", "pi", "clock"))]
         if w.known("f") and w.chance(0.3):
             choices.append(w.pick(w.known("f")))
         return w.pick(choices)
-    inner = lambda: body(w, names, depth - 1)
+    inner = lambda: body(w, names, depth - 1, later)
+    other = lambda: body(w, names, depth - 1, True)
     kind = w.rng.randint(0, 11)
     if kind <= 2:
         return f"({inner()} {w.pick('+-*/')} {inner()})"
@@ -44,18 +45,28 @@ def body(w: Writer, names: list[str], depth: int) -> str:
     if kind == 6:
         return f"{w.pick(ONE)}({inner()})"
     if kind == 7:
-        return f"pow({inner()}, {w.pick(('1', '2', '3', '4', '5', '6', '7', '8', '9', '0.5', '-1', '-2', inner()))})"
+        return _power(w, names, depth - 1, later)
     if kind == 8:
-        return f"{w.pick(('min', 'max'))}({inner()}, {inner()}{w.pick(('', ', ' + inner()))})"
+        return f"{w.pick(('min', 'max'))}({inner()}, {other()}{w.pick(('', ', ' + other()))})"
     if kind == 9:
-        return f"{w.pick(('mod', 'div', 'atan2'))}({inner()}, {inner()})"
+        return f"{w.pick(('mod', 'div', 'atan2'))}({inner()}, {other()})"
     if kind == 10:
-        return f"select({inner()}, {inner()}, {inner()}{w.pick(('', ', ' + inner()))})"
+        return f"select({inner()}, {other()}, {other()}{w.pick(('', ', ' + other()))})"
     if w.known("function") and w.chance(0.5):
         name, count = w.pick(w.known("function")).split("/")
-        return f"{name}({', '.join(inner() for _ in range(int(count)))})"
+        return f"{name}({', '.join([inner(), *(other() for _ in range(int(count) - 1))])})"
     index = w.fresh("k")
-    return f"{w.pick(('sum', 'prod'))}({index}, {w.rng.randint(-1, 2)}, {w.rng.randint(0, 4)}, {body(w, [*names, index], 1)})"
+    term = body(w, [*names, index], 1, True)
+    return f"{w.pick(('sum', 'prod'))}({index}, {w.rng.randint(-1, 2)}, {w.rng.randint(0, 4)}, {term})"
+
+
+def _power(w: Writer, names: list[str], depth: int, later: bool) -> str:
+    """Constant exponents are literals: in parentheses, and in later arguments, POV-Ray calls the C
+    library for the powers that durer multiplies out, which shows in the last bit."""
+    exponents = ["1", "2", "0.5", "-1", "-2", f"({body(w, names, depth, True)} + {w.pick(names)})"]
+    if not later:
+        exponents += "3456789"
+    return f"pow({body(w, names, depth, later)}, {w.pick(exponents)})"
 
 
 def _transform(w: Writer) -> None:
@@ -74,8 +85,8 @@ def _spline(w: Writer) -> None:
     name = w.fresh("Fs")
     kind = w.pick(("linear_spline", "quadratic_spline", "cubic_spline", "natural_spline"))
     w.line(f"#declare {name} = function {{ spline {{ {kind} 0, <1,2,3> 1, <2,0,5> 2, <4,1,1> 3, <0,0,{w.rng.randint(0, 5)}> }} }}")
-    w.line(f'#debug concat(vstr(3, {name}({w.rng.uniform(-0.5, 3.5):.3f}), " ", 0, 9), "\\n")')
-    w.line(f'#debug concat(str({name}(1.5).{w.pick("xyz")}, 0, 9), "\\n")')
+    w.show("v3", f"{name}({w.rng.uniform(-0.5, 3.5):.3f})")
+    w.show("f", f"{name}(1.5).{w.pick('xyz')}")
 
 
 def _pigment(w: Writer) -> None:
@@ -86,9 +97,9 @@ def _pigment(w: Writer) -> None:
     w.line(f"#declare {name} = function {{ pigment {{ {pigment} }} }}")
     point = ", ".join(f"{w.rng.uniform(0, 3):.3f}" for _ in range(3))
     # Colours are single precision, and interpolated so.
-    w.line(f'#debug concat(vstr(5, {name}({point}) + 1e-9, " ", 0, 5), "\\n")')
+    w.show("c", f"{name}({point}) + 1e-9", 5)
     member = w.pick(("red", "green", "blue", "filter", "transmit", "gray", "x", "t"))
-    w.line(f'#debug concat(str({name}({point}).{member} + 1e-9, 0, 5), "\\n")')
+    w.show("f", f"{name}({point}).{member} + 1e-9", 5)
     outer = w.fresh("Fn")
     w.line(f"#declare {outer} = function {{ {name}(x, y, z).{w.pick(('gray', 'red', 'hf', 'grey', 'blue'))}*2 }}")
-    w.line(f'#debug concat(str({outer}({point}) + 1e-9, 0, 5), "\\n")')
+    w.show("f", f"{outer}({point}) + 1e-9", 5)

@@ -4,15 +4,16 @@ from generators.writer import Writer
 
 
 def piece(w: Writer) -> None:
-    name = w.fresh("Ob")
-    w.line(f"#declare {name} = {shape(w, w.rng.randint(0, 2))}")
-    kind = w.rng.randint(0, 3)
+    name, kind = w.fresh("Ob"), w.rng.randint(0, 3)
+    w.line(f"#declare {name} = {shape(w, w.rng.randint(0, 2), _moves if kind == 0 else _changes)}")
     if kind == 0:
-        _show(w, f"min_extent({name})", 3)  # boxes are single precision
-        _show(w, f"max_extent({name})", 3)
+        # POV-Ray keeps a corner and a size in single precision, and rounds at every transformation.
+        # It keeps the box of solids that are inverted, and turns those of spheres in other ways.
+        _show(w, f"min_extent({name})", 2)
+        _show(w, f"max_extent({name})", 2)
     elif kind == 1:
         inner = w.fresh("Ob")
-        w.line(f"#declare {inner} = object {{ {name} {w.pick(('', 'inverse'))} }}")
+        w.line(f"#declare {inner} = object {{ {name} {_changes(w)} }}")
         for _ in range(3):
             w.show("f", f"inside({inner}, {_point(w, 1.5)})")
     else:
@@ -24,26 +25,36 @@ def piece(w: Writer) -> None:
 
 
 def _show(w: Writer, text: str, digits: int) -> None:
-    """With fewer digits than other values: the two programs solve equations in other ways."""
-    w.line(f'#debug concat(vstr(3, {text} + 0.000137, " ", 0, {digits}), "\\n")')
+    """With fewer digits than other values: the two programs solve equations in other ways. What is
+    added keeps zeros and the halves of short decimals from being rounded either way."""
+    w.show("v3", f"{text} + 0.000137912", digits)
 
 
 def _point(w: Writer, size: float) -> str:
     return "<" + ", ".join(f"{w.rng.uniform(-size, size):.2f}" for _ in range(3)) + ">"
 
 
-def shape(w: Writer, depth: int) -> str:
-    simple = (f"sphere {{ {_point(w, 1)}, {w.rng.uniform(0.5, 2):.2f} }}",
-              f"box {{ <-1,-{w.rng.uniform(0.2, 1):.2f},-1>, <1,0.5,{w.rng.uniform(0.2, 1):.2f}> {_moves(w)} }}",
-              f"cylinder {{ -y, <0,1,{w.rng.uniform(0, 1):.2f}>, 0.7 {_moves(w)} }}",
-              f"cone {{ -y, 1, y, {w.rng.uniform(0, 0.8):.2f} {_moves(w)} }}", f"torus {{ 1, 0.3 {_moves(w)} }}")
+def shape(w: Writer, depth: int, moves) -> str:
+    """No two faces of a program lie in one plane: there POV-Ray takes either surface, as rounding has it."""
+    end = lambda: f"{w.rng.uniform(0.2, 1):.4f}"
+    simple = (f"sphere {{ {_point(w, 1)}, {w.rng.uniform(0.5, 2):.2f} {'' if moves is _moves else moves(w)} }}",
+              f"box {{ <-{end()},-{end()},-{end()}>, <{end()},{end()},{end()}> {moves(w)} }}",
+              f"cylinder {{ -{end()}*y, <0,{end()},{end()}>, 0.7 {moves(w)} }}",
+              f"cone {{ -{end()}*y, 1, {end()}*y, {w.rng.uniform(0, 0.8):.2f} {moves(w)} }}",
+              f"torus {{ 1, {w.rng.uniform(0.1, 0.5):.4f} {moves(w)} }}")
     if depth == 0 or w.chance(0.3):
         return w.pick(simple)
-    return f"{w.pick(('union', 'intersection', 'difference', 'merge'))} {{ {shape(w, depth - 1)} {shape(w, depth - 1)} {_moves(w)} }}"
+    return f"{w.pick(('union', 'intersection', 'difference', 'merge'))} {{ {shape(w, depth - 1, moves)} {shape(w, depth - 1, moves)} {moves(w)} }}"
 
 
 def _moves(w: Writer) -> str:
+    """Up to two modifiers."""
     moves = [w.pick((f"translate {_point(w, 1)}", f"rotate {w.rng.randint(-90, 90)}*{w.pick('xyz')}",
                      f"scale {w.rng.uniform(0.5, 2):.2f}", f"scale <1, {w.rng.uniform(0.5, 2):.2f}, 1>"))
              for _ in range(w.rng.choice((0, 0, 1, 2)))]
     return " ".join(moves)
+
+
+def _changes(w: Writer) -> str:
+    """Moves, and perhaps the inside turned out."""
+    return _moves(w) + w.pick(("", "", "", " inverse"))

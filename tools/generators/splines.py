@@ -20,20 +20,13 @@ def piece(w: Writer) -> None:
     kind = {1: "v2", 2: "v2", 3: "v3", 4: "v4", 5: "c"}[length]
     for _ in range(w.rng.randint(1, 3)):
         at = w.pick(("0", "1", "0.5", "-9", "9", f"{w.rng.uniform(-1, 4):.3f}"))
-        _show(w, kind, f"{name}({at}{w.pick(('', '', ', ' + w.pick(KINDS)))})")
-    _show(w, "f", f"{name}({w.rng.uniform(0, 3):.2f}).{w.pick('xy')}")
+        w.show(kind, f"{name}({at}{w.pick(('', '', ', ' + w.pick(KINDS)))})")
+    w.show("f", f"{name}({w.rng.uniform(0, 3):.2f}).{w.pick('xy')}")
     if w.chance(0.4):
         copy = w.fresh("P")
         w.line(w.pick((f"#declare {copy} = {name};", f"#declare {copy} = spline {{ {name} }}",
                        f"#declare {copy} = spline {{ {name} {w.pick(KINDS)} 1.25, {_value(w, length)} }}")))
-        _show(w, kind, f"{copy}({w.rng.uniform(0, 3):.2f})")
-
-
-def _show(w: Writer, kind: str, text: str) -> None:
-    """With fewer digits than other values: the order of the sums shows in the last."""
-    length = {"f": 1, "c": 5}.get(kind) or int(kind[1])
-    value = f"str({text}, 0, 9)" if length == 1 else f'vstr({length}, {text}, " ", 0, 9)'
-    w.line(f'#debug concat({value}, "\\n")')
+        w.show(kind, f"{copy}({w.rng.uniform(0, 3):.2f})")
 
 
 def _value(w: Writer, length: int) -> str:

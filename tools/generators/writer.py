@@ -51,16 +51,18 @@ class Writer:
     def pick(self, choices):
         return self.rng.choice(choices)
 
-    def show(self, kind: str, text: str) -> None:
+    def show(self, kind: str, text: str, digits: int | None = None) -> None:
         """Prints the value of an additive expression of this kind."""
         self._shown += 1
-        self.line(f'#debug concat("{self._shown}: ", {self.as_text(kind, text)}, "\\n")')
+        self.line(f'#debug concat("{self._shown}: ", {self.as_text(kind, text, digits)}, "\\n")')
 
-    def as_text(self, kind: str, text: str) -> str:
-        """A string expression that prints the value."""
+    def as_text(self, kind: str, text: str, digits: int | None = None) -> str:
+        """A string expression that prints the value; as many `digits` as the two programs should share."""
         if kind == "s":
             return f'"[", {text}, "]"'
         if kind == "f":
-            return f"str({text}, 0, {self.pick((9, 6, 12, 16))})"
+            return f"str({text}, 0, {self.pick((9, 6, 12, 16)) if digits is None else digits})"
         length = {"v2": 2, "v3": 3, "v4": 4, "c": 5}[kind]
-        return f'vstr({length}, {text}, ",", 0, {self.pick((6, 8, 15)) if length < 5 else 6})'
+        if digits is None:
+            digits = self.pick((6, 8, 15)) if length < 5 else 6
+        return f'vstr({length}, {text}, ",", 0, {digits})'

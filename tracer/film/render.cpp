@@ -11,6 +11,7 @@
 
 #include "tracer/cameras/orthographic.h"
 #include "tracer/cameras/perspective.h"
+#include "tracer/cameras/user_defined.h"
 #include "tracer/film/adaptive.h"
 #include "tracer/film/progress.h"
 #include "tracer/transport/trace.h"
@@ -59,6 +60,15 @@ AntialiasOptions antialias_options(const CompiledScene& scene, const RenderOptio
   return {o.aa_threshold, o.aa_depth, o.aa_jitter, o.aa_gamma, scene.scene->settings.assumed_gamma};
 }
 
+template <typename Camera>
+Camera make_camera(const scene::Scene& scene) {
+  if constexpr (std::is_same_v<Camera, UserDefinedCamera>) {
+    return Camera(scene.camera, scene.settings.resolved_noise_generator());
+  } else {
+    return Camera(scene.camera);
+  }
+}
+
 // Renders blocks on one thread through one kind of camera.
 template <typename Camera>
 class BlockRenderer {
@@ -67,7 +77,7 @@ class BlockRenderer {
       : scene_(&scene),
         options_(&options),
         image_(&image),
-        camera_(scene.scene->camera),
+        camera_(make_camera<Camera>(*scene.scene)),
         scratch_(scene),
         tracer_(scene, scratch_, options.alpha),
         antialias_(antialias_options(scene, options)),
@@ -192,15 +202,34 @@ RenderResult render(const CompiledScene& scene, const RenderOptions& options,
     if (!done || !(*done)[i]) pixels += pixels_of(blocks[i]);
   }
   ProgressMeter meter(pixels, on_progress, cancel);
-  if (scene.scene->camera.kind == scene::Camera::Kind::orthographic) {
-    render_blocks<OrthographicCamera>(scene, options, blocks, threads, meter, image, done);
-  } else {
-    render_blocks<PerspectiveCamera>(scene, options, blocks, threads, meter, image, done);
+  const auto run = [&]<typename Camera>(std::type_identity<Camera>) {
+    render_blocks<Camera>(scene, options, blocks, threads, meter, image, done);
+  };
+  switch (scene.scene->camera.kind) {
+    case scene::Camera::Kind::perspective: run(std::type_identity<PerspectiveCamera>()); break;
+    case scene::Camera::Kind::orthographic: run(std::type_identity<OrthographicCamera>()); break;
+    case scene::Camera::Kind::user_defined: run(std::type_identity<UserDefinedCamera>()); break;
   }
   result.final = meter.now();
   result.cancelled = meter.cancelled();
   if (checkpoint && !result.cancelled) result.image = std::move(checkpoint->image);
   return result;
+}
+
+void report_events(const CompiledScene& scene, Diagnostics& diagnostics) {
+  const std::vector<scene::Origin>& origins = scene.scene->origins;
+  for (Geometry::Doubt& doubt : scene.geometry.doubts()) {
+    Diagnostic d;
+    d.severity = Severity::warning;
+    d.code = Code::render;
+    d.span = origins[doubt.origin].span;
+    d.message = std::move(doubt.message);
+    if (!doubt.remedy.empty()) d.help.push_back(std::move(doubt.remedy));
+    for (auto at = origins[doubt.origin].parent; at != 0; at = origins[at].parent) {
+      d.trace.push_back({origins[at].span, "expanded from here"});
+    }
+    diagnostics.report(std::move(d));
+  }
 }
 
 }  // namespace durer::tracer

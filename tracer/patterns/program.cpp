@@ -38,9 +38,7 @@ PatternStore::PatternStore(const scene::Settings& settings)
     : settings_(settings),
       waves_(std::make_shared<const std::vector<functions::WaveSource>>(
           functions::wave_sources(settings.number_of_waves))) {
-  if (settings_.noise_generator == 0) {
-    settings_.noise_generator = settings_.declared_version >= 350 ? 2 : 1;
-  }
+  settings_.noise_generator = settings_.resolved_noise_generator();
 }
 
 PatternProgram PatternStore::compile(const scene::Pattern& pattern, const Transform& to_world) {

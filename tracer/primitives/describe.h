@@ -10,11 +10,17 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "functions/noise.h"
 #include "scene/object.h"
 #include "scene/type_info.h"
 #include "tracer/primitives/typed_store.h"
 
 namespace durer::tracer {
+
+/// What of the scene a primitive may depend on beside its operands.
+struct Surroundings {
+  functions::NoiseGenerator noise_generator = 2;  // resolved: 1, 2 or 3
+};
 
 /// A primitive of the language: its operands (TypeInfo), how to place one, and samples for tests.
 struct PrimitiveType : scene::TypeInfo {
@@ -27,6 +33,11 @@ struct PrimitiveType : scene::TypeInfo {
   std::optional<ShapeRef> (*place_mesh)(TypeStores& stores,
                                         const std::shared_ptr<const scene::Mesh>& mesh,
                                         const Transform& to_world, bool inverted) = nullptr;
+  /// The same for an object whose operands are functions; null for all others.
+  std::optional<ShapeRef> (*place_extras)(TypeStores& stores, const scene::ObjectExtras& extras,
+                                          const Surroundings& around, const Transform& to_world,
+                                          bool inverted) = nullptr;
+  std::vector<scene::ObjectExtras> (*sample_extras)() = nullptr;
   /// Typical and odd examples of those, for the conformance suite.
   std::vector<std::shared_ptr<const scene::Mesh>> (*sample_meshes)() = nullptr;
   /// Operands of typical and odd examples, for the conformance suite.
@@ -35,8 +46,12 @@ struct PrimitiveType : scene::TypeInfo {
 
 /// Places an object that is a primitive, whatever its operands are.
 inline std::optional<ShapeRef> place_object(const PrimitiveType& type, TypeStores& stores,
-                                            const scene::Object& object, const Transform& to_world,
+                                            const scene::Object& object,
+                                            const Surroundings& around, const Transform& to_world,
                                             bool inverted) {
+  if (type.place_extras != nullptr) {
+    return type.place_extras(stores, *object.extras, around, to_world, inverted);
+  }
   if (object.extras->mesh != nullptr) return type.place_mesh(stores, object.extras->mesh, to_world, inverted);
   return type.place(stores, object.args, to_world, inverted);
 }

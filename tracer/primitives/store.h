@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "base/bounds.h"
@@ -83,6 +85,9 @@ class Store : public Targets {
   /// whose inside holds the line's beginning at t = -infinity.
   virtual void crossings(std::span<const LeafShape> leaves, const Ray& ray, Crossings& out,
                          std::vector<std::uint32_t>& begun) const = 0;
+  /// What came to light about a shape while it was asked, as a message and its remedy; both are
+  /// empty if nothing did.
+  [[nodiscard]] virtual std::pair<std::string, std::string> doubt(std::uint32_t index) const = 0;
   /// True if the inside is convex: a box lies in it if its corners do.
   [[nodiscard]] virtual bool convex() const = 0;
 };

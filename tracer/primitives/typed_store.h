@@ -13,6 +13,7 @@
 //   … any(same as nearest) const;                         some hit in the range, if that is faster
 //   dvec2 uv(dvec3 p, std::uint32_t part) const;          surface coordinates (objects §14)
 //   TextureBlend textures(dvec3 p, std::uint32_t part) const;   looks of single parts
+//   std::pair<std::string, std::string> doubt() const;    see Store::doubt
 //   static constexpr bool convex = true;
 //   static constexpr double far = …;                      greatest depth at which it is seen
 #pragma once
@@ -146,6 +147,10 @@ class TypedStore final : public Store {
     } else {
       return {};
     }
+  }
+  [[nodiscard]] std::pair<std::string, std::string> doubt(std::uint32_t index) const override {
+    if constexpr (requires(const S& s) { s.doubt(); }) return items_[index].shape.doubt();
+    return {};
   }
   [[nodiscard]] bool convex() const override {
     if constexpr (requires { S::convex; }) return S::convex;

@@ -1,5 +1,8 @@
 #include "base/source.h"
 
+#include <filesystem>
+#include <fstream>
+
 #include "tests/support/catch.h"
 
 using namespace durer;
@@ -32,6 +35,32 @@ TEST_CASE("source: files keep apart in the virtual text", "[base][source]") {
   CHECK(sources.place(sources.base(empty)).path == "empty");
   CHECK(sources.line_at(sources.base(empty)).empty());
   CHECK(sources.text(Span{sources.base(b), 2}) == "de");
+}
+
+TEST_CASE("source: a text that rests is read again for a message", "[base][source]") {
+  const auto folder = std::filesystem::temp_directory_path() / "durer-source-test";
+  std::filesystem::create_directories(folder);
+  const std::string path = folder / "scene.inc";
+  const std::string text = "one\ntwo\nthree\n";
+  std::ofstream(path) << text;
+  SourceMap sources;
+  const FileId inc = sources.add(path, text);
+  const FileId typed = sources.add("standard input", "abc\ndef");
+  const Loc two = sources.base(inc) + 5;
+  sources.rest(0);
+  CHECK(sources.place(two).line == 2);
+  CHECK(sources.place(two).column == 2);
+  CHECK(sources.place(sources.base(inc)).line == 1);
+  CHECK(sources.place(sources.base(inc) + 8).column == 1);
+  CHECK(sources.line_at(two) == "two");
+  CHECK(sources.text(typed) == "abc\ndef");
+  CHECK(sources.line_at(sources.base(typed) + 4) == "def");
+
+  sources.rest(0);
+  std::ofstream(path) << "something else altogether\n";
+  CHECK(sources.place(two).line == 2);
+  CHECK(sources.line_at(two).empty());
+  std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("source: nowhere has no place", "[base][source]") {

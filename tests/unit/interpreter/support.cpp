@@ -25,7 +25,10 @@ constexpr scene::TypeInfo sphere = {"sphere", "A ball.", sphere_params};
 constexpr scene::TypeInfo box = {"box", "A box.", box_params};
 constexpr scene::TypeInfo cylinder = {"cylinder", "A rod.", cylinder_params, check_cylinder};
 constexpr scene::TypeInfo mesh = {"mesh", "Triangles.", {}};
-constexpr std::array<const scene::TypeInfo*, 4> primitives = {&sphere, &box, &cylinder, &mesh};
+constexpr scene::TypeInfo isosurface = {"isosurface", "A function's zeros.", {}};
+constexpr scene::TypeInfo parametric = {"parametric", "A function's values.", {}};
+constexpr std::array<const scene::TypeInfo*, 6> primitives = {&sphere, &box,        &cylinder,
+                                                              &mesh,   &isosurface, &parametric};
 
 constexpr std::array gradient_params = {Param{"direction", ArgKind::vector, "direction"}};
 constexpr std::array<scene::MapEntry, 2> checker_map = {

@@ -190,3 +190,21 @@ TEST_CASE("additions: initialisers may leave elements out", "[interpreter][addit
         "5.000");
   CHECK(says("#declare A = array[4] { 1, 2, 3 }").substr(0, 5) == "D0202");
 }
+
+TEST_CASE("additions: entries of dictionaries go to macros by reference", "[interpreter][additions]") {
+  const std::string add =
+      "#macro Add(P) #declare P = P + 1; #end "
+      "#declare D = dictionary { .a: 1, [\"b\"]: <1,2,3>, .c: array[2] {5, 6}, "
+      ".d: dictionary { .e: 7 } };";
+  CHECK(worth(add + "Add(D.a)", "D.a") == "2.000");
+  CHECK(worth(add + "Add(D[\"b\"])", "D.b.z") == "4.000");
+  CHECK(worth(add + "Add(D.c[1])", "D.c[1]") == "7.000");
+  CHECK(worth(add + "#macro Inner(P) Add(P.e) #end Inner(D.d)", "D.d.e") == "8.000");
+  CHECK(worth(add + "#declare A = array[2] { D, D } Add(A[1].a)", "100*A[1].a + 10*A[0].a + D.a") ==
+        "211.000");
+  CHECK(worth(add + "#declare G = 1; Add(global.G)", "G") == "2.000");
+  CHECK(worth(add + "#macro Text(P) #declare P = \"text\"; #end Text(D.a)", "strlen(D.a)") ==
+        "4.000");
+  CHECK(worth(add + "Add(D.b.y)", "D.b.y") == "2.000");  // a component has no place of its own
+  CHECK(says(add + "Add(D.missing)").substr(0, 5) == "D0203");
+}

@@ -33,11 +33,11 @@ inline scene::Object primitive(std::string_view name, std::vector<double> args,
   return o;
 }
 
-/// Primitives whose operands are numbers; meshes have tests of their own.
+/// Primitives whose operands are numbers; meshes and functions have tests of their own.
 inline std::vector<const PrimitiveType*> types_with_samples() {
   std::vector<const PrimitiveType*> types;
   for (const PrimitiveType* type : primitive_types()) {
-    if (type->place_mesh == nullptr) types.push_back(type);
+    if (type->place_mesh == nullptr && type->place_extras == nullptr) types.push_back(type);
   }
   return types;
 }

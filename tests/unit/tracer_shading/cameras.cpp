@@ -1,7 +1,9 @@
 // Ray directions of the cameras (shading §10.7).
 #include "tracer/cameras/orthographic.h"
 #include "tracer/cameras/perspective.h"
+#include "tracer/cameras/user_defined.h"
 
+#include "functions/builder.h"
 #include "tests/support/catch.h"
 
 using namespace durer;
@@ -46,4 +48,29 @@ TEST_CASE("camera: orthographic rays are parallel and start side by side", "[tra
   CHECK(first.o.x == Approx(-1.6378).margin(1e-4));
   CHECK(first.d == dvec3(0, 0, 1));
   CHECK(camera.ray(1.5 / 4 - 0.5, 0).o.x == Approx(-0.5458).margin(1e-3));
+}
+
+TEST_CASE("camera: user_defined rays follow its functions and transformations",
+          "[tracer][camera]") {
+  functions::FunctionBuilder b(2);
+  const auto u = std::make_shared<const functions::Function>(b.finish(b.parameter(0)));
+  functions::FunctionBuilder one(2);
+  const auto constant = std::make_shared<const functions::Function>(one.finish(one.constant(1)));
+  scene::Camera c;
+  c.kind = scene::Camera::Kind::user_defined;
+  c.location = {0, 0, -5};
+  c.transform = SharedTransform(Transform::translate({0, 3, 0}));
+  SECTION("functions for both") {
+    c.location_functions = {u, u, constant};
+    c.direction_functions = {constant, constant, constant};
+    tracer::UserDefinedCamera camera(c, 2);
+    const Ray ray = camera.ray(0.25, -0.5);
+    CHECK(ray.o == dvec3(0.25, 3.25, 1));
+    check_direction(ray.d, dvec3(1, 1, 1) / std::sqrt(3.0));
+  }
+  SECTION("no functions: perspective") {
+    tracer::UserDefinedCamera camera(c, 2);
+    CHECK(camera.ray(0, 0).o == dvec3(0, 0, -5));
+    check_direction(camera.ray(0, 0).d, {0, 0, 1});
+  }
 }

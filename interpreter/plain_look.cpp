@@ -1,0 +1,59 @@
+// Objects that look alike share their textures: scenes of programs give a hundred thousand balls
+// one of ten colours, each in a block of its own.
+#include "interpreter/plain_look.h"
+
+#include "interpreter/interpreter.h"
+
+namespace durer::interpreter {
+namespace {
+
+PlainLook look_of(const scene::Texture& t) {
+  return {t.layers[0].pigment->colour, t.layers[0].finish.identity()};
+}
+
+}  // namespace
+
+/// Nothing but a colour and a finish.
+bool Interpreter::is_plain(const scene::Texture& t) {
+  return t.layers.size() == 1 && !scene::has_place(t) && t.unsupported.empty() &&
+         t.layers[0].unsupported.empty() && t.layers[0].pigment->unsupported.empty() &&
+         t.layers[0].normal->unsupported.empty() && !t.layers[0].pigment->uv_mapping;
+}
+
+/// Made by the object statement that ends here: if an earlier one looks the same, that is used, and
+/// this one goes.
+void Interpreter::share_texture(scene::TextureUse& use) {
+  if (use.texture + 1U != scene_.textures.size()) return;
+  const scene::Texture& own = scene_.textures[use.texture];
+  if (!is_plain(own)) return;
+  const auto [known, is_new] = plain_textures_.try_emplace(look_of(own), use.texture);
+  if (is_new) return;
+  use = {known->second, {}};
+  scene_.textures.pop_back();
+}
+
+/// `pigment { rgb C }` on a plain texture. False, with nothing read, if this is anything else.
+bool Interpreter::quick_pigment(scene::TextureUse& use) {
+  if (use.texture == own_texture_) return false;  // it is in the making
+  const scene::Texture& base = scene_.textures[use.texture];
+  if (use.texture != plain_base_) {
+    if (!is_plain(base)) return false;
+    plain_base_ = use.texture;  // textures that are not in the making never change
+  }
+  const std::optional<Colour> colour = quick_colour_block();
+  if (!colour) return false;
+  const PlainLook look{*colour, base.layers[0].finish.identity()};
+  if (const auto known = plain_textures_.find(look); known != plain_textures_.end()) {
+    use = {known->second, {}};
+    return true;
+  }
+  scene::Texture t = base;
+  scene::Pigment& pigment = t.layers[0].pigment.edit();
+  pigment.colour = *colour;
+  pigment.origin = origin(frames_.back().tree->items[frames_.back().pos - 1].span);
+  use = {add_texture(std::move(t)), {}};
+  own_texture_ = use.texture;  // a finish may follow; share_texture comes last
+  return true;
+}
+
+}  // namespace durer::interpreter
