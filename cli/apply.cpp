@@ -55,6 +55,19 @@ Problem output_type(Settings& s, std::string_view value) {
   return {};
 }
 
+Problem dither_method(Settings& s, std::string_view value) {
+  using image::Dither;
+  constexpr std::pair<std::string_view, Dither> methods[] = {
+      {"B2", Dither::b2}, {"B3", Dither::b3}, {"B4", Dither::b4},
+      {"D1", Dither::d1}, {"D2", Dither::d2}, {"FS", Dither::fs}};
+  for (const auto& [name, method] : methods) {
+    if (!same_word(name, value)) continue;
+    s.dither_method = method;
+    return {};
+  }
+  return expected("B2, B3, B4, D1, D2 or FS", value);
+}
+
 Problem file_gamma(Settings& s, std::string_view value) {
   const auto curve = parse_gamma(value);
   if (!curve) return expected("sRGB or a number greater than 0", value);

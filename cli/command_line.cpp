@@ -89,6 +89,21 @@ void unknown_option(const std::string& word, Reader& reader) {
 
 }  // namespace
 
+std::size_t first_bare_word(const std::vector<std::string>& words) {
+  std::size_t i = 0;
+  while (i < words.size()) {
+    const std::string& word = words[i];
+    if (word.starts_with("--")) {
+      i += takes_value(word) ? 2 : 1;
+    } else if (word.find('=') != std::string::npos || word.starts_with('+') || word.starts_with('-')) {
+      ++i;
+    } else {
+      return i;
+    }
+  }
+  return words.size();
+}
+
 Request read_command_line(const std::vector<std::string>& words, Reader& reader) {
   Request request = Request::render;
   CLI::App app;

@@ -37,6 +37,7 @@ tracer::RenderOptions render_options(const Settings& s, const Window& window) {
   o.width = s.width;
   o.height = s.height;
   o.antialias = s.antialias && s.sampling_method != 0;
+  o.aa_method = s.sampling_method;
   o.aa_threshold = static_cast<float>(s.aa_threshold);
   o.aa_depth = s.aa_depth;
   o.aa_jitter = s.jitter ? static_cast<float>(s.jitter_amount) : 0.0F;
@@ -61,6 +62,7 @@ image::Encoding encoding_of(const Settings& s, const scene::Settings& scene) {
   e.bits = s.bits;
   e.greyscale = s.greyscale;
   e.alpha = s.alpha;
+  if (s.dither) e.dither = s.dither_method;
   e.compression = s.compressed_tga ? 1 : s.compression;
   return e;
 }

@@ -34,7 +34,8 @@ constexpr std::string_view usage =
     "durer [options] scene.scene       render a scene to scene.png\n"
     "durer [options] -                 read the scene from standard input\n"
     "durer check [options] FILE...     read scenes without rendering them\n"
-    "durer parse FILE...               check the syntax only\n";
+    "durer parse FILE...               check the syntax only\n"
+    "A command is the first word that is no option; options may stand before it.\n";
 
 constexpr std::string_view notes =
     "Options may be POV-Ray's switches (+W800, either sign, any case, value attached), INI\n"

@@ -22,6 +22,8 @@ Option{"Bits_Per_Color",     "",   Form::value, "", "bits", "n", "bits per chann
 Option{"Grayscale_Output",   "",   Form::flag,  "", "greyscale", "", "write grey levels only; PNG then has 16 bits", Group::files, apply::boolean<&S::greyscale>},
 Option{"Output_Alpha",       "UA", Form::flag,  "", "alpha", "", "write an alpha channel where the type has one", Group::files, apply::boolean<&S::alpha>},
 Option{"Compression",        "",   Form::value, "", "compression", "n", "JPEG quality 0 to 100, PNG effort 0 to 9", Group::files, apply::whole<&S::compression, 0, 100>},
+Option{"Dither",             "TH", Form::flag,  "Dither_Method", "dither", "[m]", "hide the rounding to few levels; default off", Group::files, apply::boolean<&S::dither>},
+Option{"Dither_Method",      "",   Form::value, "", "", "m", "B2 B3 B4 patterns of 2x2 to 4x4 pixels, D1 D2 FS errors go to 1, 3 or 4 neighbours; default FS", Group::files, apply::dither_method},
 Option{"File_Gamma",         "",   Form::value, "", "file-gamma", "curve", "curve of the file: sRGB or an exponent; EXR and HDR are always linear", Group::files, apply::file_gamma},
 Option{"Library_Path",       "L",  Form::value, "", "include-path", "folder", "search this folder for includes and INI files; repeatable", Group::files, apply::library_path},
 Option{"Include_Ini",        "",   Form::value, "", "ini", "file", "read this INI file, or one section of it: file[section]", Group::files, nullptr},
@@ -39,8 +41,8 @@ Option{"End_Row",            "ER", Form::value, "", "", "n", "last row to render
 // Sampling
 Option{"Antialias",          "A",  Form::flag,  "Antialias_Threshold", "antialias", "[x]", "anti-aliasing, with its threshold; default off, 0.3", Group::sampling, apply::boolean<&S::antialias>},
 Option{"Antialias_Threshold","",   Form::value, "", "", "x", "refine where neighbours differ by this, 0 to 1", Group::sampling, apply::fraction<&S::aa_threshold>},
-Option{"Sampling_Method",    "AM", Form::value, "", "", "n", "0 none, 1 n*n+1 samples; 2 is not supported yet", Group::sampling, apply::clamped_whole<&S::sampling_method, 0, 2>},
-Option{"Antialias_Depth",    "R",  Form::value, "", "", "n", "n in n*n+1 samples, 1 to 9; default 3", Group::sampling, apply::clamped_whole<&S::aa_depth, 1, 9>},
+Option{"Sampling_Method",    "AM", Form::value, "", "", "n", "0 none, 1 n*n+1 samples where neighbours differ, 2 pixels are divided where their corners differ", Group::sampling, apply::clamped_whole<&S::sampling_method, 0, 2>},
+Option{"Antialias_Depth",    "R",  Form::value, "", "", "n", "n in n*n+1 samples, or at most n-1 divisions; 1 to 9, default 3", Group::sampling, apply::clamped_whole<&S::aa_depth, 1, 9>},
 Option{"Jitter",             "J",  Form::flag,  "Jitter_Amount", "", "[x]", "move the samples at random, by this share of their distance; default on, 1", Group::sampling, apply::boolean<&S::jitter>},
 Option{"Jitter_Amount",      "",   Form::value, "", "", "x", "0 to 1", Group::sampling, apply::fraction<&S::jitter_amount>},
 Option{"Antialias_Gamma",    "AG", Form::value, "", "", "x", "curve in which neighbours are compared; default 2.5", Group::sampling, apply::aa_gamma},
@@ -146,7 +148,6 @@ Option{"Test_Abort",         "X",  Form::flag,  "Test_Abort_Count", "", "[n]", "
 Option{"Test_Abort_Count",   "",   Form::value, "", "", "n", "", Group::no_effect, apply::ignored_number},
 Option{"Palette",            "",   Form::value, "", "", "x", "of the preview", Group::no_effect, apply::ignored_text},
 Option{"Video_Mode",         "",   Form::value, "", "", "x", "of the preview", Group::no_effect, apply::ignored_text},
-Option{"Dither_Method",      "",   Form::value, "", "", "m", "used by Dither, below", Group::no_effect, apply::ignored_text},
 
 // Obsolete, with a warning
 Option{"Buffer_Output",      "",   Form::flag,  "", "", "", "", Group::obsolete, apply::ignored_boolean},
@@ -157,7 +158,6 @@ Option{"Histogram_Type",     "",   Form::value, "", "", "t", "", Group::obsolete
 Option{"Histogram_Grid_Size","",   Form::value, "", "", "x", "", Group::obsolete, apply::ignored_text},
 
 // Known, and an error when switched on
-Option{"Dither",             "TH", Form::flag,  "Dither_Method", "", "[m]", "dithering", Group::not_yet, apply::only_off},
 Option{"Clockless_Animation","KLA",Form::flag,  "", "", "", "several cameras as frames", Group::not_yet, apply::only_off},
 Option{"Radiosity_From_File","RFI",Form::flag,  "", "", "", "read radiosity samples", Group::not_yet, apply::only_off},
 Option{"Radiosity_To_File",  "RFO",Form::flag,  "", "", "", "write radiosity samples", Group::not_yet, apply::only_off},
@@ -184,12 +184,6 @@ const Option* option_of_switch(std::string_view text) {
   return best;
 }
 
-Problem check(const Settings& s) {
-  if (auto problem = check_untrusted(s)) return problem;
-  if (s.antialias && s.sampling_method == 2) {
-    return "anti-aliasing by Sampling_Method=2 is not supported yet, only 1";
-  }
-  return {};
-}
+Problem check(const Settings& s) { return check_untrusted(s); }
 
 }  // namespace durer::cli

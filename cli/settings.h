@@ -56,6 +56,8 @@ struct Settings {
   bool greyscale = false;
   bool alpha = false;
   int compression = -1;
+  bool dither = false;
+  image::Dither dither_method = image::Dither::fs;
   GammaCurve file_gamma = GammaCurve::srgb();
   std::vector<std::string> library_paths;
   std::string create_ini;

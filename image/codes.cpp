@@ -4,19 +4,37 @@
 #include <cmath>
 
 #include "base/colour.h"
+#include "image/dither.h"
 
 namespace durer::image {
 namespace {
 
 // In single precision throughout: then all 65,536 values of a 16-bit ramp get the oracle's codes;
 // with a double product one in five hundred differs by one.
-std::uint16_t code_of(float stored_value, Depth depth) {
-  const auto max = static_cast<float>((1U << depth.bits) - 1);
-  const float clamped = stored_value > 0 ? std::min(stored_value, 1.0F) : 0.0F;  // NaN → 0
-  const auto code = static_cast<unsigned>(std::floor(clamped * max + 0.5F));
+float greatest_code(Depth depth) { return static_cast<float>((1U << depth.bits) - 1); }
+
+float clamped(float x) { return x > 0 ? std::min(x, 1.0F) : 0.0F; }  // NaN → 0
+
+unsigned rounded(float stored_value, Depth depth) {
+  return static_cast<unsigned>(std::floor(clamped(stored_value) * greatest_code(depth) + 0.5F));
+}
+
+std::uint16_t widened(unsigned code, Depth depth) {
   if (depth.bits == depth.sample_bits) return static_cast<std::uint16_t>(code);
   const int shift = depth.sample_bits - depth.bits;
   return static_cast<std::uint16_t>(code << shift | code >> (depth.bits - shift));
+}
+
+/// One channel of a pixel. `to_file` and `to_working` are the curve and its reverse.
+template <typename ToFile, typename ToWorking>
+std::uint16_t code_of(float c, int channel, Depth depth, Ditherer& dither, ToFile to_file,
+                      ToWorking to_working) {
+  if (dither.idle()) return widened(rounded(to_file(c), depth), depth);
+  const float max = greatest_code(depth);
+  c += dither.offset(channel);
+  const unsigned code = rounded(to_file(c) + dither.threshold() / max, depth);
+  dither.spread(channel, clamped(c) - to_working(static_cast<float>(code) / max));
+  return widened(code, depth);
 }
 
 glm::vec3 rgb_of(std::span<const float, 4> pixel) { return {pixel[0], pixel[1], pixel[2]}; }
@@ -38,12 +56,21 @@ float stored(const Encoding& encoding, float working) {
   return encoding.encode ? transcode(encoding.working, encoding.file, working) : working;
 }
 
+float working(const Encoding& encoding, float stored) {
+  return encoding.encode ? transcode(encoding.file, encoding.working, stored) : stored;
+}
+
 Codes to_codes(const Image& image, const Encoding& encoding, Depth depth, bool alpha) {
   const int colours = encoding.greyscale ? 1 : 3;
   Codes out{.channels = colours + (alpha ? 1 : 0), .sample_bits = depth.sample_bits, .values = {}};
   out.values.reserve(image.pixels.size() / 4 * out.channels);
+  Ditherer dither(encoding.dither, image.width);
+  const auto to_file = [&](float v) { return stored(encoding, v); };
+  const auto to_working = [&](float v) { return working(encoding, v); };
+  const auto as_it_is = [](float v) { return v; };
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
+      dither.enter(x, y);
       const auto pixel = image.at(x, y);
       glm::vec3 c = rgb_of(pixel);
       const float luminance = grey(c);
@@ -51,9 +78,9 @@ Codes to_codes(const Image& image, const Encoding& encoding, Depth depth, bool a
       if (encoding.greyscale) c = glm::vec3(luminance);
       if (alpha) c /= a == 0 ? 1e-6F : a;
       for (int i = 0; i < colours; ++i) {
-        out.values.push_back(code_of(stored(encoding, c[i]), depth));
+        out.values.push_back(code_of(c[i], i, depth, dither, to_file, to_working));
       }
-      if (alpha) out.values.push_back(code_of(a, depth));
+      if (alpha) out.values.push_back(code_of(a, colours, depth, dither, as_it_is, as_it_is));
     }
   }
   return out;

@@ -42,4 +42,7 @@ struct Samples {
 /// Working-space number → stored number E(c), before rounding.
 [[nodiscard]] float stored(const Encoding& encoding, float working);
 
+/// The reverse.
+[[nodiscard]] float working(const Encoding& encoding, float stored);
+
 }  // namespace durer::image

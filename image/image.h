@@ -29,6 +29,10 @@ struct Image {
   }
 };
 
+/// How rounding to codes is hidden: Bayer's patterns, or errors handed on to one, three or four
+/// neighbours (shading §1.6).
+enum class Dither : std::uint8_t { none, b2, b3, b4, d1, d2, fs };
+
 /// How the picture becomes numbers in a file (shading §1.5).
 struct Encoding {
   /// Working space of the picture; ignored when `encode` is off.
@@ -40,6 +44,7 @@ struct Encoding {
   int bits = 8;                          // per channel, 5…16, where the format has a choice
   bool greyscale = false;
   bool alpha = false;
+  Dither dither = Dither::none;          // PNG, TGA, BMP and PPM
   int compression = -1;  // JPEG quality 0…100, PNG 0…9, TGA 0 or 1; -1: default
 };
 

@@ -14,9 +14,10 @@ namespace durer::tracer {
 struct RenderOptions {
   int width = 160;
   int height = 120;
-  bool antialias = false;     // method 1 (shading §3.2)
+  bool antialias = false;
+  int aa_method = 1;          // 1: refine pixels that differ, 2: divide pixels (shading §3.2, §3.3)
   float aa_threshold = 0.3F;  // 0…1
-  int aa_depth = 3;           // n: n·n + 1 samples; 1…9
+  int aa_depth = 3;           // 1…9; n: n·n + 1 samples, or n - 1 divisions
   float aa_jitter = 1.0F;     // 0…1; 0: off
   float aa_gamma = 2.5F;
   /// The alpha channel will be used: the background's filter and transmit count. Without it they

@@ -11,19 +11,19 @@ void Antialias::start(const Block& block) {
   cells_.assign(static_cast<std::size_t>(stride_) * (block.bottom - top_), Cell{});
 }
 
-void Antialias::set(Cell& c, const Pixel& value) const {
-  c.value = value;
+Sampled Comparison::sampled(const Pixel& value) const {
+  Sampled s{value, value};
   for (int i = 0; i < 3; ++i) {
-    const float light = std::max(0.0F, options_.working.decode(value[i]));
-    c.metric[i] = std::pow(light, 1 / options_.gamma);
+    const float light = std::max(0.0F, working_.decode(value[i]));
+    s.metric[i] = std::pow(light, 1 / gamma_);
   }
-  c.metric.w = value.w;
+  return s;
 }
 
-bool Antialias::differ(const Cell& a, const Cell& b) const {
+bool Comparison::differ(const Sampled& a, const Sampled& b) const {
   const Pixel d = a.metric - b.metric;
   const float distance = std::abs(d.x) + std::abs(d.y) + std::abs(d.z) + std::abs(d.w);
-  return distance >= options_.threshold;
+  return distance >= threshold_;
 }
 
 }  // namespace durer::tracer

@@ -1,5 +1,5 @@
-// Anti-aliasing method 1 (shading §3.2): refine pixels that differ from their neighbours, block by
-// block; every block stands alone.
+// Anti-aliasing, block by block; every block stands alone. Method 1 (shading §3.2) refines pixels
+// that differ from their neighbours; method 2 is in adaptive.h.
 #pragma once
 
 #include <cmath>
@@ -31,10 +31,31 @@ struct AntialiasOptions {
   GammaCurve working;  // of the scene's numbers
 };
 
+/// A sample, or several, and how comparisons see it.
+struct Sampled {
+  Pixel value{0.0F};
+  Pixel metric{0.0F};
+};
+
+/// When colours differ so much that more samples are worth their time (shading §3.1).
+class Comparison {
+ public:
+  explicit Comparison(const AntialiasOptions& options)
+      : threshold_(options.threshold), gamma_(options.gamma), working_(options.working) {}
+
+  [[nodiscard]] Sampled sampled(const Pixel& value) const;
+  [[nodiscard]] bool differ(const Sampled& a, const Sampled& b) const;
+
+ private:
+  float threshold_;
+  float gamma_;
+  GammaCurve working_;
+};
+
 /// Buffers and rules for one block at a time.
 class Antialias {
  public:
-  explicit Antialias(const AntialiasOptions& options) : options_(options) {}
+  explicit Antialias(const AntialiasOptions& options) : options_(options), compare_(options) {}
 
   /// Renders `block`. `sample(x, y, i)`: the picture at a position where whole numbers are pixel
   /// centres; i is 0 for the centre, 1… for the others. `put(x, y, pixel)` takes the results.
@@ -48,28 +69,25 @@ class Antialias {
       for (int x = block.left; x < block.right; ++x) visit(x, y, sample);
     }
     for (int y = block.top; y < block.bottom; ++y) {
-      for (int x = block.left; x < block.right; ++x) put(x, y, cell(x, y).value);
+      for (int x = block.left; x < block.right; ++x) put(x, y, cell(x, y).seen.value);
     }
   }
 
  private:
   struct Cell {
-    Pixel value{0.0F};
-    Pixel metric{0.0F};  // the value as comparisons see it
-    bool done = false;   // refined, or not to be
+    Sampled seen;
+    bool done = false;  // refined, or not to be
   };
 
   void start(const Block& block);
   Cell& cell(int x, int y) {
     return cells_[static_cast<std::size_t>(y - top_) * stride_ + (x - left_)];
   }
-  void set(Cell& c, const Pixel& value) const;
-  [[nodiscard]] bool differ(const Cell& a, const Cell& b) const;
 
   template <typename Sample>
   Cell& take_centre(int x, int y, const Sample& sample) {
     Cell& c = cell(x, y);
-    set(c, sample(x, y, 0U));
+    c.seen = compare_.sampled(sample(x, y, 0U));
     return c;
   }
 
@@ -77,8 +95,8 @@ class Antialias {
   template <typename Sample>
   void visit(int x, int y, const Sample& sample) {
     const Cell& here = take_centre(x, y, sample);
-    const bool left = differ(here, cell(x - 1, y));
-    const bool above = differ(here, cell(x, y - 1));
+    const bool left = compare_.differ(here.seen, cell(x - 1, y).seen);
+    const bool above = compare_.differ(here.seen, cell(x, y - 1).seen);
     if (left) refine(x - 1, y, sample);
     if (above) refine(x, y - 1, sample);
     if (left || above) refine(x, y, sample);
@@ -91,7 +109,7 @@ class Antialias {
     const int n = options_.depth;
     const double step = 1.0 / n;
     const double start = -(0.5 - step / 2);
-    Pixel sum = c.value;
+    Pixel sum = c.seen.value;
     std::uint32_t index = 0;
     for (int j = 0; j < n; ++j) {
       for (int i = 0; i < n; ++i) {
@@ -103,11 +121,12 @@ class Antialias {
         sum += sample(at.x, at.y, ++index);
       }
     }
-    set(c, sum / static_cast<float>(n * n + 1));
+    c.seen = compare_.sampled(sum / static_cast<float>(n * n + 1));
     c.done = true;
   }
 
   AntialiasOptions options_;
+  Comparison compare_;
   std::vector<Cell> cells_;
   int left_ = 0;
   int top_ = 0;

@@ -12,7 +12,7 @@
 #include "tracer/cameras/orthographic.h"
 #include "tracer/cameras/perspective.h"
 #include "tracer/cameras/user_defined.h"
-#include "tracer/film/antialias.h"
+#include "tracer/film/adaptive.h"
 #include "tracer/film/progress.h"
 #include "tracer/transport/trace.h"
 
@@ -56,6 +56,10 @@ std::uint32_t seed(int x, int y, std::uint32_t index) {
   return h ^ (h >> 16);
 }
 
+AntialiasOptions antialias_options(const CompiledScene& scene, const RenderOptions& o) {
+  return {o.aa_threshold, o.aa_depth, o.aa_jitter, o.aa_gamma, scene.scene->settings.assumed_gamma};
+}
+
 template <typename Camera>
 Camera make_camera(const scene::Scene& scene) {
   if constexpr (std::is_same_v<Camera, UserDefinedCamera>) {
@@ -76,15 +80,15 @@ class BlockRenderer {
         camera_(make_camera<Camera>(*scene.scene)),
         scratch_(scene),
         tracer_(scene, scratch_, options.alpha),
-        antialias_({options.aa_threshold, options.aa_depth, options.aa_jitter, options.aa_gamma,
-                    scene.scene->settings.assumed_gamma}) {}
+        antialias_(antialias_options(scene, options)),
+        adaptive_(antialias_options(scene, options)) {}
 
   void render(const Block& block) {
     const auto take = [this](double x, double y, std::uint32_t i) { return sample(x, y, i); };
     const auto put = [this](int x, int y, const Pixel& p) { store(x, y, p); };
     if (options_->antialias) {
-      antialias_.render(block, take, put);
-      return;
+      if (options_->aa_method == 2) return adaptive_.render(block, take, put);
+      return antialias_.render(block, take, put);
     }
     for (int y = block.top; y < block.bottom; ++y) {
       for (int x = block.left; x < block.right; ++x) store(x, y, sample(x, y, 0));
@@ -127,6 +131,7 @@ class BlockRenderer {
   Scratch scratch_;
   Tracer tracer_;
   Antialias antialias_;
+  AdaptiveAntialias adaptive_;
 };
 
 // Threads take the next block in row-major order until none is left, past those already done.

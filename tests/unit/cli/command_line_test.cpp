@@ -46,6 +46,14 @@ TEST_CASE("command line: values keep blanks, brackets, equals signs and dashes",
   CHECK(accepted({"--", "-A0.1"}).aa_threshold == 0.1);
 }
 
+TEST_CASE("command line: a command is the first word that is no option", "[cli][words]") {
+  CHECK(first_bare_word({"check", "a.pov"}) == 0);
+  CHECK(first_bare_word({"+W80", "--size", "8x6", "Height=9", "check"}) == 4);
+  CHECK(first_bare_word({"--quiet", "check"}) == 1);
+  CHECK(first_bare_word({"-"}) == 1);  // standard input
+  CHECK(first_bare_word({}) == 0);
+}
+
 TEST_CASE("command line: help and version are asked for, not rendered", "[cli][words]") {
   CHECK(read({"--help"}).request == Request::help);
   CHECK(read({"+W80", "--version"}).request == Request::version);

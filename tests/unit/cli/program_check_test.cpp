@@ -46,6 +46,16 @@ TEST_CASE("program: what came to light while rendering names its object",
   CHECK(has(json.err, "\"code\":\"D0501\""));
 }
 
+TEST_CASE("program: options may stand before a command", "[cli][program][check]") {
+  const test::Folder folder;
+  folder.file("a.pov", scene);
+  const test::Run r = run("+W80 --size 8x6 -D check a.pov");
+  CAPTURE(r.err);
+  CHECK(r.code == 0);
+  CHECK(has(r.err, "a.pov: 2 objects"));
+  CHECK_FALSE(fs::exists("a.png"));
+}
+
 TEST_CASE("program: check fails if one scene is bad, and looks at all", "[cli][program][check]") {
   const test::Folder folder;
   folder.file("a.pov", scene);

@@ -46,7 +46,7 @@ TEST_CASE("program: errors end with 1 and write nothing", "[cli][program]") {
   folder.file("a.pov", scene);
   folder.file("bad.pov", "sphere { 0, 1\n");
   for (const char* words :
-       {"", "nowhere.pov", "bad.pov", "a.pov +W0", "a.pov --widht=3", "a.pov +TH",
+       {"", "nowhere.pov", "bad.pov", "a.pov +W0", "a.pov --widht=3", "a.pov +THXX",
         "a.pov +Ono/such/folder.png", "a.pov +SC900", "a.pov +KLA"}) {
     const Run r = run(words);
     CAPTURE(words, r.err);
