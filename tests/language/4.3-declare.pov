@@ -140,3 +140,8 @@ declare B = 8;
 //= without #, and one too late
 declare# A = 1;
 // error: D0201 at 1:8
+
+//= #local of an element of an outer array is lost, but of its kind
+#declare A = array[2] { 1, 2 }
+#macro M() #local A[0] = "text"; #end M()
+// error: D0204 at 2:19

@@ -94,7 +94,7 @@ TEST_CASE("additions: dictionaries are copied, and passed by reference",
   CHECK(worth("#declare D = dictionary { .a: 1 } #macro M(P) #declare P.a = 5; #end M(D)", "D.a") ==
         "5.000");
   CHECK(worth("#declare D = dictionary { .a: 1 } #macro M(P) #declare P = 5; #end M(D.a)",
-              "D.a") == "1.000");
+              "D.a") == "5.000");
 }
 
 TEST_CASE("additions: entries can be asked for and removed", "[interpreter][additions]") {
