@@ -232,3 +232,8 @@ global_settings { assumed_gamma 1 }
 // expect: 0.267261241912424397,0.534522483824848793,0.801783725737273190
 // expect: 16.176565531019569733,-4.854644050404410827,12.387689807405678266
 // expect: 2.528809156910987177,-0.581076547498989404,20.783916240542101406
+
+//= a vector for a float, among arguments that are read one by one
+#declare V = <1, 2, 3>;
+#debug str(V #if (1) #end, 0, 0)
+// error: D0204 at 2:12
