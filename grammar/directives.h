@@ -47,7 +47,7 @@ struct declare_head     : p::seq<hash<Word>, p::opt<deprecated>, p::must<new_lva
 struct any_declare_head : p::sor<declare_head<words::declare>, declare_head<words::local>> {};
 
 // A value that is not closed here becomes the item after the directive (ast::Declare).
-struct closed_by_mark   : semicolon {};
+struct closed_by_mark   : p::seq<semicolon, p::opt<semicolon>> {};  // the oracle takes one more
 struct closed_by_next   : p::success {};
 struct declared_value   : p::seq<additive, p::sor<closed_by_mark, closed_by_next>> {};
 struct declare          : p::seq<any_declare_head, p::opt<declared_value>> {};

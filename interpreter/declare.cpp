@@ -137,6 +137,7 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
     value = read_value();
     declare_depth_ = outer;
     semicolon = accept_raw_punct(';');
+    if (semicolon) accept_raw_punct(';');  // the oracle takes one more
   }
   if (!semicolon && value.get<Num>() != nullptr) missing_semicolon(node, *value.get<Num>());
 

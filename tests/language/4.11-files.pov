@@ -158,3 +158,9 @@ global_settings { assumed_gamma 1 }
 #debug concat(str(defined(F), 0, 0), "\n")
 // expect: 1
 // expect: 0
+
+//= a value in parentheses after the name of the file
+#fopen F "durer-language-name.txt" write #write (F (2), ",", 3, ",") #fclose F
+#fopen F "durer-language-name.txt" read #read (F, A, B)
+#debug concat(str(A, 0, 0), str(B, 0, 0), "\n")
+// expect: 23
