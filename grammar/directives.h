@@ -47,7 +47,7 @@ struct declare_head     : p::seq<hash<Word>, p::opt<deprecated>, p::must<new_lva
 struct any_declare_head : p::sor<declare_head<words::declare>, declare_head<words::local>> {};
 
 // A value that is not closed here becomes the item after the directive (ast::Declare).
-struct closed_by_mark   : semicolon {};
+struct closed_by_mark   : p::seq<semicolon, p::opt<semicolon>> {};  // the oracle takes one more
 struct closed_by_next   : p::success {};
 struct declared_value   : p::seq<additive, p::sor<closed_by_mark, closed_by_next>> {};
 struct declare          : p::seq<any_declare_head, p::opt<declared_value>> {};
@@ -138,7 +138,7 @@ struct skippable        : predicate<skippable> {
 };
 struct unknown_word     : identifier {};
 struct unknown          : p::seq<p::not_at<terminator>, p::one<'#'>, gap, skippable, unknown_word, gap> {};
-// Before anything that cannot be a directive, a `#` means nothing: `look_at 0 # }`.
+// Before anything that is neither a directive nor a number, a `#` means nothing: `look_at 0 # }`.
 struct directive_word   : one_word<words::break_, words::case_, words::debug, words::declare, words::default_,
                                    words::else_, words::elseif, words::end, words::error, words::fclose, words::fopen,
                                    words::for_, words::if_, words::ifdef, words::ifndef, words::include, words::local,
@@ -153,7 +153,7 @@ struct unlike_directive : word_rule<unlike_directive> {
     return !std::all_of(word.begin, word.end, lower) && !is_directive_in_capitals({word.begin, word.end});
   }
 };
-struct after_lone_hash  : p::sor<plain_word, unlike_directive, p::not_at<any_word>> {};
+struct after_lone_hash  : p::sor<plain_word, unlike_directive, p::not_at<p::sor<any_word, number>>> {};
 struct lone_hash        : p::seq<p::one<'#'>, gap, p::at<after_lone_hash>> {};
 
 struct directive_ahead  : p::seq<p::not_at<lone_hash>, p::one<'#'>> {};

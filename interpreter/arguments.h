@@ -40,6 +40,7 @@ class Interpreter::Args {
   Num num(int length) {
     require("a number or vector");
     if (part_) {
+      in_.last_span_ = in_.peek().span;
       const Num n = in_.read_num(length);
       in_.argument_comma();
       return in_.fit(n, length);
@@ -61,6 +62,7 @@ class Interpreter::Args {
   double full() {
     require("a number");
     if (part_) {
+      in_.last_span_ = in_.peek().span;
       const Num n = in_.fit(in_.read_full(1), 1);
       in_.argument_comma();
       return n.v[0];

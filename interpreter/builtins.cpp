@@ -80,7 +80,7 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
     case w::atan2: {
       const double a = args.number();
       const double b = args.number();
-      if (std::abs(a) <= epsilon && std::abs(b) <= epsilon) domain("of (0, 0) has no value");
+      if (!(std::abs(a) > epsilon || std::abs(b) > epsilon)) domain("of (0, 0) has no value");
       return number(std::atan2(a, b));
     }
     case w::ceil: return number(std::ceil(args.full()));

@@ -39,6 +39,15 @@ void Interpreter::store_number(Value& target, Num n) {
   target.set(n);
 }
 
+/// Elements of an array are of the kind of `first`, one of them, unless the array is mixed.
+void Interpreter::check_kind(const Value* first, const Array& array, const Value& value, Span span) {
+  if (first == nullptr || array.mixed || same_kind(*first, value)) return;
+  fail(Code::wrong_kind, span,
+       fmt::format("this array holds {}s, the new element is {}", kind_name(*first).substr(2),
+                   kind_name(value)),
+       "all elements of an array are of one kind");
+}
+
 void Interpreter::store(Value& target, Value value, bool is_element, const Array* array,
                         Span span) {
   if (Num* n = value.get<Num>(); n != nullptr && n->length == 5) {
@@ -48,14 +57,8 @@ void Interpreter::store(Value& target, Value value, bool is_element, const Array
     target.set(*value.get<Num>());
     return;
   }
-  if (is_element && array != nullptr && !array->mixed) {
-    const Value* first = target.defined() ? &target : first_defined(*array);
-    if (first != nullptr && !same_kind(*first, value)) {
-      fail(Code::wrong_kind, span,
-           fmt::format("this array holds {}s, the new element is {}", kind_name(*first).substr(2),
-                       kind_name(value)),
-           "all elements of an array are of one kind");
-    }
+  if (is_element && array != nullptr) {
+    check_kind(target.defined() ? &target : first_defined(*array), *array, value, span);
   }
   target = std::move(value);
 }
@@ -135,6 +138,7 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
     value = read_value();
     declare_depth_ = outer;
     semicolon = accept_raw_punct(';');
+    if (semicolon) accept_raw_punct(';');  // the oracle takes one more
   }
   if (!semicolon && value.get<Num>() != nullptr) missing_semicolon(node, *value.get<Num>());
 
@@ -159,7 +163,10 @@ void Interpreter::assign(const ast::Tree& tree, const ast::Declare& node, Value 
            fmt::format("`{}` is {}, not an array", name_of(node.name), kind_name(*base)));
     }
     // `#local A[i]` on an array of an outer scope is evaluated and lost (language §4.3).
-    if (node.local && slot->scope != scope && first_defined(**array) != nullptr) return;
+    if (const Value* first = first_defined(**array);
+        node.local && slot->scope != scope && first != nullptr) {
+      return check_kind(first, **array, value, node.target);
+    }
     if (additions_) return assign_place(tree, node, std::move(value));
     Value* target =
         element(node.name, read_subscripts(tree, node.subscripts), node.target, true, false);

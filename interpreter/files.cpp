@@ -135,8 +135,25 @@ std::string as_bytes(const Num& n, BinaryFormat f) {
 }  // namespace
 
 void Interpreter::write_file() {
+  // `#write (File (A), …)` is no call, but a name and the first values.
+  const auto read_file_name = [&] {
+    const Token t = peek();
+    const auto* call = t.node<ast::Call>();
+    const auto* name =
+        call == nullptr ? nullptr : std::get_if<ast::Name>(&t.tree->exprs[call->callee].node);
+    if (name == nullptr) return read_name("the name of an open file");
+    next();
+    last_span_ = t.tree->exprs[call->callee].span;
+    for (std::uint32_t i = call->args.count; i-- > 0;) {
+      Token value = t;
+      value.expr = t.tree->expr_lists[call->args.first + i];
+      value.span = t.tree->exprs[value.expr].span;
+      unread(value);
+    }
+    return name->name;
+  };
   in_parentheses("write", [&](auto at_end) {
-    const SymbolId name = read_name("the name of an open file");
+    const SymbolId name = read_file_name();
     // The file may be closed only after this directive: keep hold of it.
     DataFile& file = file_named(name, last_span_);
     if (file.mode() == DataFile::Mode::read) {

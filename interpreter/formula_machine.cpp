@@ -507,7 +507,7 @@ bool FormulaMachine::call_string(const FormulaOp& op, Operand* first, int wanted
       for (int i = 0; i < n; ++i) {
         if (i > 0) out.append(*first[2].string);
         const double x = i < first[1].length ? first[1].v[static_cast<std::size_t>(i)] : 0;
-        append_number(x, integer(3), integer(4), out);
+        append_number(x, integer(3), integer(4), out, longest_component);
       }
       return true;
     }

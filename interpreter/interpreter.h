@@ -193,6 +193,7 @@ class Interpreter {
   void missing_semicolon(const ast::Declare& node, const Num& n);
   bool quick_assign(const ast::Tree& tree, const ast::Declare& node);
   static void store_number(Value& target, Num n);
+  void check_kind(const Value* first, const Array& array, const Value& value, Span span);
   void store(Value& target, Value value, bool is_element, const Array* array, Span span);
   void default_block();
   void set_version(double v, Span span);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -14,34 +15,42 @@ namespace durer::interpreter {
 
 namespace w = grammar::words;
 
-void append_number(double value, int width, int decimals, Text& out) {
-  const int places = decimals < 0 ? 6 : decimals;
-  constexpr int longest = 254;
-  if (places > longest || width > longest || width < -longest) {
-    // Not even tried: the C library would write two billion blanks.
-    char line[64];
-    std::snprintf(line, sizeof line, "%g", value);
-    out.append(std::string_view(line));
-    return;
+namespace {
+
+/// `%*.*f` or `%*.*g`, with `%0` for a negative width.
+std::string by_library(char conversion, double value, int width, int places) {
+  const std::string format = std::string(width < 0 ? "%0*.*" : "%*.*") + conversion;
+  std::string line(static_cast<std::size_t>(std::abs(width) + places + 400), '\0');
+  const int size = std::snprintf(line.data(), line.size(), format.c_str(), std::abs(width), places, value);
+  line.resize(static_cast<std::size_t>(size));
+  return line;
+}
+
+/// Infinities, and numbers that `format_fixed` has no room for.
+std::string unusual_number(double value, int width, int places, std::size_t longest) {
+  constexpr int most = 2000;  // no text may be so long: the C library would write two billion blanks
+  const int sane_width = std::clamp(width, -most, most);
+  const int sane_places = std::min(places, most);
+  for (const char conversion : {'f', 'g'}) {
+    std::string line = by_library(conversion, value, sane_width, sane_places);
+    if (line.size() <= longest) return line;
   }
-  if (!std::isfinite(value)) {
-    char line[2 * longest];
-    if (width < 0) {
-      std::snprintf(line, sizeof line, "%0*.*f", -width, places, value);
-    } else {
-      std::snprintf(line, sizeof line, "%*.*f", width, places, value);
-    }
-    out.append(std::string_view(line));
-    return;
+  return "<invalid>";  // as the oracle says
+}
+
+}  // namespace
+
+void append_number(double value, int width, int decimals, Text& out, std::size_t longest) {
+  const int places = decimals < 0 ? 6 : decimals;
+  const auto wanted = static_cast<std::size_t>(std::abs(std::int64_t{width}));
+  constexpr int most_places = 254;  // of format_fixed
+  if (places > most_places || wanted > longest || !std::isfinite(value)) {
+    return out.append(std::string_view(unusual_number(value, width, places, longest)));
   }
   char digits[format_fixed_size];
   std::string_view number = format_fixed(value, places, digits);
-  const auto wanted = static_cast<std::size_t>(std::abs(width));
-  if (std::max(number.size(), wanted) > 254) {
-    char line[64];
-    std::snprintf(line, sizeof line, "%g", value);
-    out.append(std::string_view(line));
-    return;
+  if (number.size() > longest) {
+    return out.append(std::string_view(unusual_number(value, width, places, longest)));
   }
   if (number.size() < wanted) {
     if (width < 0 && number.front() == '-') {
@@ -109,7 +118,7 @@ void Interpreter::append_text_call(const ast::Tree& tree, const ast::Expr& e, Sy
       const int decimals = args.integer();
       for (int i = 0; i < n; ++i) {
         if (i > 0) out.append(separator);
-        append_number(v.v[static_cast<std::size_t>(i)], width, decimals, out);
+        append_number(v.v[static_cast<std::size_t>(i)], width, decimals, out, longest_component);
       }
       return args.done();
     }

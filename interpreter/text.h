@@ -70,9 +70,15 @@ class Text {
   std::u16string wide_;  // if not empty, everything; then narrow_ is empty
 };
 
+/// Lengths of numbers as text: of what `str` makes, and of a component in `vstr`, where the oracle
+/// breaks down at some greater length.
+inline constexpr std::size_t longest_number = 254;
+inline constexpr std::size_t longest_component = 1000;
+
 /// Appends what `str` makes of a number: C's printf with `decimals` places (< 0 means 6), padded to
-/// `width` with blanks, or with zeros if it is negative; longer than 254 characters it becomes `%g`
-/// (language §3.5).
-void append_number(double value, int width, int decimals, Text& out);
+/// `width` with blanks, or with zeros if it is negative. What is longer than `longest` is printed with
+/// `g` instead of `f`, and is invalid if that is too long as well (language §3.5).
+void append_number(double value, int width, int decimals, Text& out,
+                   std::size_t longest = longest_number);
 
 }  // namespace durer::interpreter

@@ -120,3 +120,8 @@ sphere { 0, 1 };
 //= after #include
 #include "count.inc"; #debug "after\n"
 // expect: after
+
+//= one more after a declaration, also in the body of a macro that is a value
+#macro M(A) #local R = 0; ; #for (K, 1, 3) #local R = R + A/K; #end (R) #end
+#debug concat(str(M(6), 0, 1), "\n")
+// expect: 11.0

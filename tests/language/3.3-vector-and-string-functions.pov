@@ -326,3 +326,8 @@ global_settings { assumed_gamma 1 }
 //= vstr with five numbers
 #debug concat(vstr(5, <1,2,3,4,5>, ";", 3, 0), "\n")
 // expect:   1;  2;  3;  4;  5
+
+//= a vector for a float, among arguments that are read one by one
+#declare V = <1, 2, 3>;
+#debug str(V #if (1) #end, 0, 0)
+// error: D0204 at 2:12

@@ -77,3 +77,11 @@ global_settings { assumed_gamma 1 }
 #debug concat(str(1,3.9,0), "\n")
 // expect: 1.0
 // expect:   1
+
+//= too long for f
+#debug concat("[", str(7.17709655124987654321e300, 0, 12), "]", str(1e300, 0, -1), "]", str(7.17e300, -20, 3), "]\n")
+#debug concat("[", str(1, 255, 1), "]", str(1, 0, 253), "]", str(1.5, -300, 3), "]", str(strlen(str(1, 254, 1)), 0, 0), "\n")
+#debug concat(str(strlen(vstr(2, <1e300, 7.123e270>, ",", 0, 12)), 0, 0), ",", str(strlen(vstr(2, 1, ",", 300, 1)), 0, 0), "\n")
+// expect: [7.17709655125e+300]1e+300]000000000007.17e+300]
+// expect: [<invalid>]1]<invalid>]254
+// expect: 599,601

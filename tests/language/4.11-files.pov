@@ -217,3 +217,9 @@ global_settings { assumed_gamma 1 }
 //= an empty file
 #fopen F "t43.txt" write #fclose F #fopen F "t43.txt" read #read (F, A) #debug concat(str(defined(A), 0, 0), str(defined(F), 0, 0), "\n")
 // expect: 10
+
+//= a value in parentheses after the name of the file
+#fopen F "durer-language-name.txt" write #write (F (2), ",", 3, ",") #fclose F
+#fopen F "durer-language-name.txt" read #read (F, A, B)
+#debug concat(str(A, 0, 0), str(B, 0, 0), "\n")
+// expect: 23

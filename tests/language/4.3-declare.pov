@@ -190,3 +190,8 @@ declare A = 5
 //= a pigment starts from the default
 #default { pigment { rgb 0.5 } } #declare P = pigment { scale 2 } #declare F = function { pigment { P } } #debug concat(str(F(0,0,0).red, 0, 3), "\n")
 // expect: 0.500
+
+//= #local of an element of an outer array is lost, but of its kind
+#declare A = array[2] { 1, 2 }
+#macro M() #local A[0] = "text"; #end M()
+// error: D0204 at 2:19

@@ -5,10 +5,10 @@ from generators.writer import Writer
 
 def piece(w: Writer) -> None:
     name, kind = w.fresh("Ob"), w.rng.randint(0, 3)
-    w.line(f"#declare {name} = {shape(w, w.rng.randint(0, 2), _moves if kind == 0 else _changes)}")
+    w.line(f"#declare {name} = {shape(w, w.rng.randint(0, 2), _move if kind == 0 else _changes)}")
     if kind == 0:
         # POV-Ray keeps a corner and a size in single precision, and rounds at every transformation.
-        # It keeps the box of solids that are inverted, and turns those of spheres in other ways.
+        # It keeps the box of solids that are inverted, and turns boxes at every step, or not at all.
         _show(w, f"min_extent({name})", 2)
         _show(w, f"max_extent({name})", 2)
     elif kind == 1:
@@ -37,7 +37,7 @@ def _point(w: Writer, size: float) -> str:
 def shape(w: Writer, depth: int, moves) -> str:
     """No two faces of a program lie in one plane: there POV-Ray takes either surface, as rounding has it."""
     end = lambda: f"{w.rng.uniform(0.2, 1):.4f}"
-    simple = (f"sphere {{ {_point(w, 1)}, {w.rng.uniform(0.5, 2):.2f} {'' if moves is _moves else moves(w)} }}",
+    simple = (f"sphere {{ {_point(w, 1)}, {w.rng.uniform(0.5, 2):.2f} {'' if moves is _move else moves(w)} }}",
               f"box {{ <-{end()},-{end()},-{end()}>, <{end()},{end()},{end()}> {moves(w)} }}",
               f"cylinder {{ -{end()}*y, <0,{end()},{end()}>, 0.7 {moves(w)} }}",
               f"cone {{ -{end()}*y, 1, {end()}*y, {w.rng.uniform(0, 0.8):.2f} {moves(w)} }}",
@@ -47,14 +47,12 @@ def shape(w: Writer, depth: int, moves) -> str:
     return f"{w.pick(('union', 'intersection', 'difference', 'merge'))} {{ {shape(w, depth - 1, moves)} {shape(w, depth - 1, moves)} {moves(w)} }}"
 
 
-def _moves(w: Writer) -> str:
-    """Up to two modifiers."""
-    moves = [w.pick((f"translate {_point(w, 1)}", f"rotate {w.rng.randint(-90, 90)}*{w.pick('xyz')}",
-                     f"scale {w.rng.uniform(0.5, 2):.2f}", f"scale <1, {w.rng.uniform(0.5, 2):.2f}, 1>"))
-             for _ in range(w.rng.choice((0, 0, 1, 2)))]
-    return " ".join(moves)
+def _move(w: Writer) -> str:
+    return w.pick(("", f"translate {_point(w, 1)}", f"rotate {w.rng.randint(-90, 90)}*{w.pick('xyz')}",
+                   f"scale {w.rng.uniform(0.5, 2):.2f}", f"scale <1, {w.rng.uniform(0.5, 2):.2f}, 1>"))
 
 
 def _changes(w: Writer) -> str:
-    """Moves, and perhaps the inside turned out."""
-    return _moves(w) + w.pick(("", "", "", " inverse"))
+    """Up to two moves, and perhaps the inside turned out."""
+    moves = [_move(w) for _ in range(w.rng.choice((0, 1, 2)))]
+    return " ".join([*moves, w.pick(("", "", "", "inverse"))])
