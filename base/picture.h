@@ -25,7 +25,8 @@ struct Picture {
   std::optional<double> file_gamma;
 
   [[nodiscard]] bool is_real() const { return bits == 32; }
-  [[nodiscard]] std::size_t index(std::uint32_t x, std::uint32_t y, std::uint32_t channel = 0) const {
+  [[nodiscard]] std::size_t index(std::uint32_t x, std::uint32_t y,
+                                  std::uint32_t channel = 0) const {
     return (static_cast<std::size_t>(y) * width + x) * channels + channel;
   }
 };

@@ -13,7 +13,7 @@ namespace durer::image {
 
 PictureRead read(const std::string& path, const std::string& kind) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                              &std::fclose);
+                                                             &std::fclose);
   if (!file) return {nullptr, "it cannot be opened"};
   std::array<unsigned char, 8> magic{};
   const std::size_t got = std::fread(magic.data(), 1, magic.size(), file.get());

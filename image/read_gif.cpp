@@ -127,8 +127,9 @@ std::vector<std::uint32_t> row_order(std::uint32_t height, bool interlaced) {
   std::vector<std::uint32_t> order;
   constexpr std::array<std::array<std::uint32_t, 2>, 4> passes = {{{0, 8}, {4, 8}, {2, 4}, {1, 2}}};
   constexpr std::array<std::array<std::uint32_t, 2>, 1> whole = {{{0, 1}}};
-  for (const auto& [first, step] : interlaced ? std::span<const std::array<std::uint32_t, 2>>(passes)
-                                              : std::span<const std::array<std::uint32_t, 2>>(whole)) {
+  for (const auto& [first, step] : interlaced
+                                       ? std::span<const std::array<std::uint32_t, 2>>(passes)
+                                       : std::span<const std::array<std::uint32_t, 2>>(whole)) {
     for (std::uint32_t y = first; y < height; y += step) order.push_back(y);
   }
   return order;

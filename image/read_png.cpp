@@ -67,7 +67,8 @@ void copy_palette(png_structp png, png_infop info, Picture& out) {
   }
 }
 
-PictureRead read_with(png_structp png, png_infop info, std::FILE* file, const std::string& message) {
+PictureRead read_with(png_structp png, png_infop info, std::FILE* file,
+                      const std::string& message) {
   Header h{};
   if (!read_header(png, info, file, h)) return {nullptr, message};
   auto picture = std::make_shared<Picture>();
@@ -82,8 +83,8 @@ PictureRead read_with(png_structp png, png_infop info, std::FILE* file, const st
   picture->codes.reserve(std::size_t{h.width} * h.height * picture->channels);
   for (const png_bytep row : rows) {
     for (std::size_t i = 0; i < h.stride; i += picture->bits / 8) {
-      picture->codes.push_back(picture->bits == 16 ? static_cast<std::uint16_t>(row[i] << 8 | row[i + 1])
-                                                   : row[i]);
+      picture->codes.push_back(
+          picture->bits == 16 ? static_cast<std::uint16_t>(row[i] << 8 | row[i + 1]) : row[i]);
     }
   }
   if (h.colour_type == PNG_COLOR_TYPE_PALETTE) copy_palette(png, info, *picture);

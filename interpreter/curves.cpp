@@ -175,8 +175,11 @@ void ObjectReader::bicubic_patch() {
       in_.optional_comma();
     }
   }
-  if (!(type >= 0)) in_.fail(Code::missing_argument, word_.span, "a patch needs `type 0` or `type 1`");
-  if (type > 1) in_.warn(Code::out_of_range, word_.span, "there is no such type of patch; it is taken for type 1");
+  if (!(type >= 0))
+    in_.fail(Code::missing_argument, word_.span, "a patch needs `type 0` or `type 1`");
+  if (type > 1)
+    in_.warn(Code::out_of_range, word_.span,
+             "there is no such type of patch; it is taken for type 1");
   points(16, 3);
 }
 

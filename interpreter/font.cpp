@@ -72,8 +72,7 @@ std::unique_ptr<Font> Font::open(const std::string& path) {
 
 // The order of the oracle (objects §10.15); fonts of today may have none of these tables.
 void Font::prefer_unicode(bool unicode) {
-  const std::array<int, 3> platforms =
-      unicode ? std::array{0, 3, 1} : std::array{1, 3, 0};
+  const std::array<int, 3> platforms = unicode ? std::array{0, 3, 1} : std::array{1, 3, 0};
   for (const int platform : platforms) {
     for (FT_Int i = 0; i < face_->face->num_charmaps; ++i) {
       FT_CharMap map = face_->face->charmaps[i];

@@ -11,9 +11,9 @@ namespace w = grammar::words;
 namespace {
 
 /// In the order of tracer::JuliaFunction.
-constexpr std::array functions = {w::sqr,  w::cube, w::exp,  w::reciprocal, w::sin,  w::asin,
-                                  w::sinh, w::asinh, w::cos, w::acos,       w::cosh, w::acosh,
-                                  w::tan,  w::atan, w::tanh, w::atanh,      w::ln,   w::pwr};
+constexpr std::array functions = {w::sqr,  w::cube,  w::exp,  w::reciprocal, w::sin,  w::asin,
+                                  w::sinh, w::asinh, w::cos,  w::acos,       w::cosh, w::acosh,
+                                  w::tan,  w::atan,  w::tanh, w::atanh,      w::ln,   w::pwr};
 
 }  // namespace
 

@@ -56,7 +56,8 @@ std::uint16_t height_of(const Picture& p, std::uint32_t x, std::uint32_t y,
     return curve ? decoded(c, p.bits, *curve) : c;
   };
   if (p.bits == 8 && png && p.channels == 1) return height_of_grey(code(0));
-  if (p.bits == 8) return static_cast<std::uint16_t>(grey ? 257 * code(0) : 256 * code(0) + code(1));
+  if (p.bits == 8)
+    return static_cast<std::uint16_t>(grey ? 257 * code(0) : 256 * code(0) + code(1));
   if (grey) return code(0);
   return height_of(code(0) / 65535.0, code(1) / 65535.0, code(2) / 65535.0);
 }
@@ -67,7 +68,8 @@ scene::HeightField high_and_low(const Picture& p) {
   for (std::uint32_t y = 0; y < field.height; ++y) {
     for (std::uint32_t x = 0; x < field.width; ++x) {
       const unsigned high = p.codes[p.index(x, y)];
-      field.heights.push_back(static_cast<std::uint16_t>(high * 256 + p.codes[p.index(x + field.width, y)]));
+      field.heights.push_back(
+          static_cast<std::uint16_t>(high * 256 + p.codes[p.index(x + field.width, y)]));
     }
   }
   return field;
@@ -122,14 +124,16 @@ scene::HeightField ObjectReader::picture_heights() {
   }
   const Picture& picture = *read.picture;
   if (kind == "pot" || std::filesystem::path(*path).extension() == ".pot") {
-    if (picture.palette.empty()) in_.fail(Code::file_not_found, span, fmt::format("`{}` is no GIF file", *path));
+    if (picture.palette.empty())
+      in_.fail(Code::file_not_found, span, fmt::format("`{}` is no GIF file", *path));
     return high_and_low(picture);
   }
   const bool png = kind == "png" || std::filesystem::path(*path).extension() == ".png";
   scene::HeightField field{picture.width, picture.height, {}};
   field.heights.reserve(std::size_t{picture.width} * picture.height);
   for (std::uint32_t y = 0; y < picture.height; ++y) {
-    for (std::uint32_t x = 0; x < picture.width; ++x) field.heights.push_back(height_of(picture, x, y, curve, png));
+    for (std::uint32_t x = 0; x < picture.width; ++x)
+      field.heights.push_back(height_of(picture, x, y, curve, png));
   }
   return field;
 }
@@ -145,7 +149,8 @@ scene::HeightField ObjectReader::function_heights() {
   }
   const functions::FunctionRef function = read_heights_function(span);
   if (function->components() > 1) return colour_heights(*function, columns, rows);
-  scene::HeightField field{static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows), {}};
+  scene::HeightField field{
+      static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows), {}};
   field.heights.reserve(std::size_t{field.width} * field.height);
   std::vector<double> x(field.width);
   std::vector<double> y(field.width);
@@ -159,8 +164,9 @@ scene::HeightField ObjectReader::function_heights() {
     for (const double v : value) {
       // Beyond 0…1 the oracle keeps the lower 16 bits.
       const double h = std::trunc(65535 * v);
-      field.heights.push_back(std::abs(h) < 9e18 ? static_cast<std::uint16_t>(static_cast<std::int64_t>(h))
-                                                 : std::uint16_t{0});
+      field.heights.push_back(std::abs(h) < 9e18
+                                  ? static_cast<std::uint16_t>(static_cast<std::int64_t>(h))
+                                  : std::uint16_t{0});
     }
   }
   return field;
@@ -184,7 +190,8 @@ functions::FunctionRef ObjectReader::read_heights_function(Span span) {
 /// The colours of a pigment as a picture of 16 bits would hold them.
 scene::HeightField ObjectReader::colour_heights(const functions::Function& function, double columns,
                                                 double rows) {
-  scene::HeightField field{static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows), {}};
+  scene::HeightField field{
+      static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows), {}};
   std::vector<double> colour(static_cast<std::size_t>(function.components()));
   const auto stored = [](double x) { return std::trunc(std::clamp(x, 0.0, 1.0) * 65535) / 65535; };
   for (std::uint32_t j = 0; j < field.height; ++j) {

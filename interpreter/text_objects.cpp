@@ -68,7 +68,8 @@ std::shared_ptr<Font> Interpreter::open_font(const std::string& name, Span span)
   if (known) return known;
   if (const auto path = find_file(name, span, font_suffixes)) {
     known = Font::open(*path);
-    if (!known) fail(Code::file_not_found, span, fmt::format("`{}` holds no outlines of letters", *path));
+    if (!known)
+      fail(Code::file_not_found, span, fmt::format("`{}` holds no outlines of letters", *path));
     return known;
   }
   for (const Substitute& s : substitutes_for(name)) {

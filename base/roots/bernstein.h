@@ -36,7 +36,8 @@ namespace detail {
 
 constexpr double binomial(std::size_t n, std::size_t k) {
   double b = 1;
-  for (std::size_t i = 0; i < k; ++i) b = b * static_cast<double>(n - i) / static_cast<double>(i + 1);
+  for (std::size_t i = 0; i < k; ++i)
+    b = b * static_cast<double>(n - i) / static_cast<double>(i + 1);
   return b;
 }
 

@@ -21,9 +21,9 @@ namespace durer::tracer {
 /// A line, measured from its point nearest to the y axis: there the distance from the axis grows
 /// with the square of s, and nothing is lost if the ray begins far away. s is t - middle.
 struct LineAroundY {
-  double middle;  // t of the nearest point
-  double y;       // its height
-  double near2;   // its squared distance from the axis
+  double middle;   // t of the nearest point
+  double y;        // its height
+  double near2;    // its squared distance from the axis
   double across2;  // squared distance from the axis: near2 + across2 · s²
   double up;       // height: y + up · s
 

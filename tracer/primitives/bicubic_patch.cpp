@@ -10,7 +10,14 @@ namespace durer::tracer {
 namespace {
 
 /// Operands as the interpreter lays them out: uv of four corners, then 16 points, row by row.
-enum : std::size_t { u_steps_at, v_steps_at, flatness_at, uvs_at, points_at = uvs_at + 8, all_of_it = points_at + 48 };
+enum : std::size_t {
+  u_steps_at,
+  v_steps_at,
+  flatness_at,
+  uvs_at,
+  points_at = uvs_at + 8,
+  all_of_it = points_at + 48
+};
 
 using Net = std::array<std::array<dvec3, 4>, 4>;  // [i][j]: u along i, v along j
 
@@ -51,7 +58,10 @@ void halve_u(const Net& p, Net& low, Net& high) {
 class Tessellation {
  public:
   Tessellation(std::span<const double> args, scene::Mesh& out)
-      : u_steps_(args[u_steps_at]), v_steps_(args[v_steps_at]), flatness_(args[flatness_at]), out_(out) {
+      : u_steps_(args[u_steps_at]),
+        v_steps_(args[v_steps_at]),
+        flatness_(args[flatness_at]),
+        out_(out) {
     for (std::size_t k = 0; k < 4; ++k) uvs_[k] = {args[uvs_at + 2 * k], args[uvs_at + 2 * k + 1]};
     for (std::size_t k = 0; k < 16; ++k) {
       const double* p = &args[points_at + 3 * k];
@@ -167,7 +177,8 @@ constexpr PrimitiveType describe_bicubic_patch() {
   type.sides_by_order = true;
   type.validate = [](std::span<const double> args) -> std::optional<std::string> {
     if (args.size() != all_of_it) return "a patch takes 16 points";
-    if (args[u_steps_at] + args[v_steps_at] > most_steps) return "u_steps and v_steps are 22 at most, together";
+    if (args[u_steps_at] + args[v_steps_at] > most_steps)
+      return "u_steps and v_steps are 22 at most, together";
     return std::nullopt;
   };
   type.make_stores = [] { return make_type_stores<MeshShape>(); };

@@ -81,7 +81,9 @@ struct Blob {
   /// may be among them.
   template <typename F>
   void each_crossing(const Ray& ray, double t_from, double t_to, F&& f) const {
-    auto& [stretches, active] = line_buffers();
+    LineBuffers& buffers = line_buffers();
+    std::vector<BlobStretch>& stretches = buffers.stretches;
+    std::vector<const BlobStretch*>& active = buffers.active;
     data->tree.along(ray, t_from, t_to, [&](std::uint32_t i) {
       data->components[i].append_stretches(ray, stretches);
     });
@@ -94,8 +96,10 @@ struct Blob {
         at = stretches[next].begin;
         before = -data->threshold;
       }
-      while (next < stretches.size() && stretches[next].begin <= at) active.push_back(&stretches[next++]);
-      double end = next < stretches.size() ? stretches[next].begin : std::numeric_limits<double>::infinity();
+      while (next < stretches.size() && stretches[next].begin <= at)
+        active.push_back(&stretches[next++]);
+      double end =
+          next < stretches.size() ? stretches[next].begin : std::numeric_limits<double>::infinity();
       for (const BlobStretch* s : active) end = std::min(end, s->end);
       if (end > at) {
         Bernstein<4> sum = excess(active, at, end);
@@ -191,10 +195,11 @@ constexpr PrimitiveType describe_blob() {
   type.place = place_blob;
   type.samples = [] {
     constexpr double own = scene::none;
-    return std::vector<std::vector<double>>{
-        {0.6, 0, -0.5, 0, 0, 1, 1, own, 0, 0.5, 0, 0, 1, 1, own, 1, 0, -1, 0, 0, 1, 0, 0.5, -0.5, own},
-        {0.5, 1, 0, 0, 0, 0, 1, 0, 1, 1, own},
-        {0.3, 0, 0, 0, 0, 1, 1, own, 2, 0.3, 0.4, 0, 0.7, 2, own, 1, 0, 0, 0.4, 2, 0, 0, 0, 0.5, 0, 0, 0}};
+    return std::vector<std::vector<double>>{{0.6, 0,   -0.5, 0, 0,  1, 1, own, 0, 0.5, 0,    0,  1,
+                                             1,   own, 1,    0, -1, 0, 0, 1,   0, 0.5, -0.5, own},
+                                            {0.5, 1, 0, 0, 0, 0, 1, 0, 1, 1, own},
+                                            {0.3, 0, 0, 0, 0,   1, 1, own, 2, 0.3, 0.4, 0, 0.7, 2,
+                                             own, 1, 0, 0, 0.4, 2, 0, 0,   0, 0.5, 0,   0, 0}};
   };
   return type;
 }

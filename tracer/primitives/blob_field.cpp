@@ -67,7 +67,8 @@ void BlobComponent::append_stretches(const Ray& ray, std::vector<BlobStretch>& o
   if (std::abs(d.z) < 1e-15) {
     if (o.z < 0) append(o, d, radius2, strength, -endless, endless, out);
     if (o.z > length) append(o_top, d, radius2, strength, -endless, endless, out);
-    if (o.z >= 0 && o.z <= length) append(o_side, d_side, radius2, strength, -endless, endless, out);
+    if (o.z >= 0 && o.z <= length)
+      append(o_side, d_side, radius2, strength, -endless, endless, out);
     return;
   }
   const bool climbs = d.z > 0;

@@ -34,11 +34,11 @@ struct BlobStretch {
 struct BlobComponent {
   Affine to_own;
   double radius2 = 1;
-  double length = -1;    // negative: a ball
-  double strength = 1;   // of the field's square root, over radius⁴
+  double length = -1;   // negative: a ball
+  double strength = 1;  // of the field's square root, over radius⁴
   std::uint32_t texture = 0;
-  Bounds3 reach;         // in the blob's space
-  Bounds3 seen;          // the box that the oracle makes of it, if it adds to the field
+  Bounds3 reach;  // in the blob's space
+  Bounds3 seen;   // the box that the oracle makes of it, if it adds to the field
 
   [[nodiscard]] double field(dvec3 p) const;
   /// How the field falls, in the blob's space.

@@ -17,9 +17,9 @@ namespace {
 struct HeightFieldShape {
   std::shared_ptr<const HeightGrid> grid;
   std::shared_ptr<const HeightGrid> raised;  // nowhere lower than the water
-  double water = 0;     // in grid units
+  double water = 0;                          // in grid units
   bool smooth = false;
-  Transform to_world;   // from grid units
+  Transform to_world;  // from grid units
 
   [[nodiscard]] double bottom() const { return std::max(grid->lowest(), water) - slack; }
   [[nodiscard]] double top() const { return grid->highest() + slack; }
@@ -34,7 +34,8 @@ struct HeightFieldShape {
   }
   /// A line that comes up through the grid, and never leaves it, comes from inside.
   [[nodiscard]] bool begins_inside(const Ray& ray) const {
-    return ray.d.x == 0 && ray.d.z == 0 && ray.d.y > 0 && contains({ray.o.x, bottom() - 1, ray.o.z});
+    return ray.d.x == 0 && ray.d.z == 0 && ray.d.y > 0 &&
+           contains({ray.o.x, bottom() - 1, ray.o.z});
   }
   // Parts: two for each cell.
   [[nodiscard]] dvec3 normal(dvec3 p, std::uint32_t part) const {
@@ -75,8 +76,8 @@ struct HeightFieldShape {
   static constexpr double slack = 1e-3;
   enum class Side3 : std::uint8_t { unknown, above, below };
 
-  /// One way of a line over the grid. It knows on which side of the surface it is, and a crossing is
-  /// where that changes: there is none too many or too few where cells meet.
+  /// One way of a line over the grid. It knows on which side of the surface it is, and a crossing
+  /// is where that changes: there is none too many or too few where cells meet.
   struct Walk {
     const HeightFieldShape& shape;
     const HeightGrid& grid;
@@ -122,12 +123,16 @@ struct HeightFieldShape {
         if (turn(now, t_in, 0, false, f)) turn(Side3::above, t_out, 0, false, f);
         return;
       }
-      if (whole && from > t_in && !turn(ray.d.y > 0 ? Side3::below : Side3::above, t_in, 0, false, f)) return;
+      if (whole && from > t_in &&
+          !turn(ray.d.y > 0 ? Side3::below : Side3::above, t_in, 0, false, f))
+        return;
       at_wall = !(from > t_in);
       bool on = true;
       grid.walk(
           ray, from, to,
-          [&](std::uint32_t i, std::uint32_t j, double a, double b) { return on = cell(i, j, a, b, f); },
+          [&](std::uint32_t i, std::uint32_t j, double a, double b) {
+            return on = cell(i, j, a, b, f);
+          },
           [&](double t, bool below) {
             return on = turn(below ? Side3::below : Side3::above, t, part_at(t), seen_any(), f);
           });
@@ -159,8 +164,8 @@ struct HeightFieldShape {
     template <typename F>
     bool half(std::uint32_t i, std::uint32_t j, bool far, double a, double b, F& f) {
       const dvec3 n = grid.facet_normal(i, j, far);
-      const dvec3 corner = far ? dvec3(i + 1.0, grid.height(i + 1, j + 1), j + 1.0)
-                               : dvec3(i, grid.height(i, j), j);
+      const dvec3 corner =
+          far ? dvec3(i + 1.0, grid.height(i + 1, j + 1), j + 1.0) : dvec3(i, grid.height(i, j), j);
       const double over_a = glm::dot(ray.at(a) - corner, n);
       const double over_b = glm::dot(ray.at(b) - corner, n);
       const std::uint32_t part = 2 * (j * grid.columns() + i) + (far ? 1 : 0);
@@ -200,7 +205,8 @@ scene::Object sample(bool smooth) {
   auto field = std::make_shared<scene::HeightField>();
   field->width = 9;
   field->height = 7;
-  for (std::uint32_t k = 0; k < 63; ++k) field->heights.push_back(static_cast<std::uint16_t>(k * k * 7919 % 50000));
+  for (std::uint32_t k = 0; k < 63; ++k)
+    field->heights.push_back(static_cast<std::uint16_t>(k * k * 7919 % 50000));
   scene::Object object;
   object.args = {0, smooth ? 1.0 : 0.0};
   object.extras.edit().heights = std::move(field);

@@ -89,8 +89,8 @@ bool HeightGrid::descend(const Ray& ray, std::uint32_t level, std::uint32_t i, s
   double t = t_in;
   const bool x_first = cuts_x && !(cuts_z && tz < tx);
   const auto go = [&](double until) {
-    const bool on = descend(ray, level - 1, 2 * i + (right ? 1 : 0), 2 * j + (far ? 1 : 0), t, until,
-                            cell, skip);
+    const bool on = descend(ray, level - 1, 2 * i + (right ? 1 : 0), 2 * j + (far ? 1 : 0), t,
+                            until, cell, skip);
     t = until;
     return on;
   };

@@ -22,8 +22,8 @@ struct JuliaFractal {
   }
   [[nodiscard]] dvec3 normal(dvec3 p, std::uint32_t /*part*/) const { return set.normal(p); }
 
-  /// Calls f(t, entering, visible) for every crossing from t = from on, until it returns false. Where
-  /// the set is larger than the ball around it, it is cut off, and open.
+  /// Calls f(t, entering, visible) for every crossing from t = from on, until it returns false.
+  /// Where the set is larger than the ball around it, it is cut off, and open.
   template <typename F>
   void each_crossing(const Ray& ray, double from, double to, F&& f) const {
     const double length = glm::length(ray.d);
@@ -85,7 +85,17 @@ struct JuliaFractal {
 };
 
 /// Operands as the interpreter lays them out.
-enum : std::size_t { c_at, hyper_at = 4, function_at, power_at, iterations_at = 8, precision_at, slice_at, distance_at = 14, all_of_it };
+enum : std::size_t {
+  c_at,
+  hyper_at = 4,
+  function_at,
+  power_at,
+  iterations_at = 8,
+  precision_at,
+  slice_at,
+  distance_at = 14,
+  all_of_it
+};
 
 constexpr std::array julia_params = {
     scene::Param{"real", scene::ArgKind::number, "first component of the parameter"},

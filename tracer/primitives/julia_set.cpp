@@ -11,7 +11,8 @@ namespace {
 using Complex = std::complex<double>;
 
 Four squared(Four q) {
-  return {q.x * q.x - q.y * q.y - q.z * q.z - q.w * q.w, 2 * q.x * q.y, 2 * q.x * q.z, 2 * q.x * q.w};
+  return {q.x * q.x - q.y * q.y - q.z * q.z - q.w * q.w, 2 * q.x * q.y, 2 * q.x * q.z,
+          2 * q.x * q.w};
 }
 Four cubed(Four q) {
   const double d = q.y * q.y + q.z * q.z + q.w * q.w;
@@ -21,8 +22,9 @@ Four cubed(Four q) {
 
 /// The product of hypercomplex numbers, which commutes.
 Four times(Four a, Four b) {
-  return {a.x * b.x - a.y * b.y - a.z * b.z + a.w * b.w, a.y * b.x + a.x * b.y - a.w * b.z - a.z * b.w,
-          a.z * b.x - a.w * b.y + a.x * b.z - a.y * b.w, a.w * b.x + a.z * b.y + a.y * b.z + a.x * b.w};
+  return {
+      a.x * b.x - a.y * b.y - a.z * b.z + a.w * b.w, a.y * b.x + a.x * b.y - a.w * b.z - a.z * b.w,
+      a.z * b.x - a.w * b.y + a.x * b.z - a.y * b.w, a.w * b.x + a.z * b.y + a.y * b.z + a.x * b.w};
 }
 
 /// A hypercomplex number is a pair of complex ones, on which functions act one by one.
@@ -79,7 +81,8 @@ Complex apply(JuliaFunction f, Complex z, Complex power) {
 
 /// The product of p with the conjugate axes, as the oracle takes it for a gradient.
 dvec3 gradient(Four p, Four q) {
-  return {p.x * q.x + p.y * q.y + p.z * q.z + p.w * q.w, -p.y * q.x + p.x * q.y - p.w * q.z + p.z * q.w,
+  return {p.x * q.x + p.y * q.y + p.z * q.z + p.w * q.w,
+          -p.y * q.x + p.x * q.y - p.w * q.z + p.z * q.w,
           -p.z * q.x - p.w * q.y + p.x * q.z + p.y * q.w};
 }
 

@@ -21,8 +21,24 @@ struct Four {
 
 /// In the order of the language's words, see interpreter/fractals.cpp.
 enum class JuliaFunction : std::uint8_t {
-  sqr, cube, exp, reciprocal, sin, asin, sinh, asinh, cos, acos, cosh, acosh,
-  tan, atan, tanh, atanh, ln, pwr
+  sqr,
+  cube,
+  exp,
+  reciprocal,
+  sin,
+  asin,
+  sinh,
+  asinh,
+  cos,
+  acos,
+  cosh,
+  acosh,
+  tan,
+  atan,
+  tanh,
+  atanh,
+  ln,
+  pwr
 };
 
 /// The points from which iterating q := f(q) + c does not escape.
@@ -33,10 +49,10 @@ struct JuliaSet {
   std::complex<double> power;
   std::uint32_t iterations = 20;
   double smallest_step = 0.05;
-  dvec3 slice{0.0};     // w = slice · p + slice_at: the space that is shown
+  dvec3 slice{0.0};  // w = slice · p + slice_at: the space that is shown
   double slice_at = 0;
-  double radius = 2;    // all of the set lies within
-  double escape2 = 4;   // squared norm from which there is no return
+  double radius = 2;   // all of the set lies within
+  double escape2 = 4;  // squared norm from which there is no return
 
   [[nodiscard]] Four at(dvec3 p) const {
     return {p.x, p.y, p.z, slice.x * p.x + slice.y * p.y + slice.z * p.z + slice_at};

@@ -13,8 +13,8 @@ namespace {
 // it ends away from the axis its inside ends too, level with the end, but nothing is to be seen.
 // Nor is what lies nearer to the axis than all of the curve ever inside.
 struct Lathe {
-  Outline profile;         // x: radius, y: height
-  std::size_t count = 1;   // of arcs
+  Outline profile;          // x: radius, y: height
+  std::size_t count = 1;    // of arcs
   std::vector<dvec2> ends;  // of the curve, away from the axis
 
   static constexpr double far = t_far;
@@ -54,16 +54,15 @@ struct Lathe {
     const double all = 1 / (line.across2 + line.up * line.up);
     const double a = line.across2 * all;
     const double b = line.up * line.up * all;
-    profile.each_near(
-        [&](const Outline::Box& box) { return comes_near(line, box); },
-        [&](std::uint32_t i) {
-          const Arc& arc = profile.arc(i);
-          switch (arc.degree) {
-            case 1: each_root<1>(arc, i, line, a, b, f); break;
-            case 2: each_root<2>(arc, i, line, a, b, f); break;
-            default: each_root<3>(arc, i, line, a, b, f); break;
-          }
-        });
+    profile.each_near([&](const Outline::Box& box) { return comes_near(line, box); },
+                      [&](std::uint32_t i) {
+                        const Arc& arc = profile.arc(i);
+                        switch (arc.degree) {
+                          case 1: each_root<1>(arc, i, line, a, b, f); break;
+                          case 2: each_root<2>(arc, i, line, a, b, f); break;
+                          default: each_root<3>(arc, i, line, a, b, f); break;
+                        }
+                      });
     for (const dvec2 end : ends) {
       const double y = end.y - line.y;
       if (a * (y * y) + b * line.near2 - b * (end.x * end.x) < 0) f(y / line.up, 0U, false);
@@ -145,7 +144,8 @@ struct Lathe {
       const dvec2 q = arc.at(w);
       double s = (q.y - line.y) / line.up;
       // Of lines that hardly climb, the radius tells more.
-      if (b < 1e-4) s = std::copysign(std::sqrt(std::max(q.x * q.x - line.near2, 0.0) / line.across2), s);
+      if (b < 1e-4)
+        s = std::copysign(std::sqrt(std::max(q.x * q.x - line.near2, 0.0) / line.across2), s);
       f(s, part, true);
     }
   }
@@ -211,12 +211,12 @@ constexpr PrimitiveType describe_lathe() {
   type.place = place_lathe;
   type.samples = [] {
     return std::vector<std::vector<double>>{
-        {0, 0, -1, 1, 0, 0.2, 1, 0, 1.2},                            // closed by the axis
-        {0, 0.5, 0, 1, 0.3, 0.8, 1},                                 // open at both ends
-        {1, 0, -1, 0.5, 0, 1, 1, 0.5, 2, 0.7, 3},                    // quadratic
-        {2, 0, -1, 0.5, 0, 1, 1, 0.5, 2, 0.7, 3, 0, 4},              // cubic
-        {3, 0.5, 0, 1.5, 0.5, 0, 1.5, 0.5, 2},                       // Bézier
-        {0, 1, 0, 1.5, 0, 1.4, 0.6, 0.9, 0.3, 1, 0}};                // a ring
+        {0, 0, -1, 1, 0, 0.2, 1, 0, 1.2},                // closed by the axis
+        {0, 0.5, 0, 1, 0.3, 0.8, 1},                     // open at both ends
+        {1, 0, -1, 0.5, 0, 1, 1, 0.5, 2, 0.7, 3},        // quadratic
+        {2, 0, -1, 0.5, 0, 1, 1, 0.5, 2, 0.7, 3, 0, 4},  // cubic
+        {3, 0.5, 0, 1.5, 0.5, 0, 1.5, 0.5, 2},           // Bézier
+        {0, 1, 0, 1.5, 0, 1.4, 0.6, 0.9, 0.3, 1, 0}};    // a ring
   };
   return type;
 }

@@ -41,7 +41,8 @@ double Arc::nearest_to(dvec2 p) const {
     const std::array<dvec2, 4> old = cubic.c;
     cubic.c[n] = old[n - 1];
     for (std::size_t i = 1; i < n; ++i) {
-      cubic.c[i] = old[i] + (old[i - 1] - old[i]) * (static_cast<double>(i) / static_cast<double>(n));
+      cubic.c[i] =
+          old[i] + (old[i - 1] - old[i]) * (static_cast<double>(i) / static_cast<double>(n));
     }
   }
   for (std::size_t i = 0; i < 4; ++i) x[i] = cubic.c[i].x - p.x, y[i] = cubic.c[i].y - p.y;

@@ -97,9 +97,7 @@ class Outline {
           const double reach = std::abs(line.x) * b.half.x + std::abs(line.y) * b.half.y;
           return std::abs(value(b.middle)) <= reach * (1 + 1e-9) + 1e-14 * std::abs(line.z);
         },
-        [&](std::uint32_t i) {
-          arcs_[i].each_sign_change(value, [&](double w) { f(i, w); });
-        });
+        [&](std::uint32_t i) { arcs_[i].each_sign_change(value, [&](double w) { f(i, w); }); });
   }
 
  private:

@@ -17,7 +17,8 @@ struct Ovus {
 
   static constexpr std::array params{
       positional<&Ovus::bottom>("bottom", "radius of the lower ball, around the origin"),
-      positional<&Ovus::top>("top", "radius of the upper ball, whose centre is the top of the other"),
+      positional<&Ovus::top>("top",
+                             "radius of the upper ball, whose centre is the top of the other"),
   };
   static std::vector<Ovus> samples() { return {{1.5, 1}, {1, 1.5}, {1, 0.1}, {1, 1}, {1, 2.5}}; }
 
@@ -146,8 +147,8 @@ struct Ovus::Egg {
     if (!(in < out)) return std::nullopt;
     return dvec2(in, out);
   }
-  /// From outside, where the slope has this sign, steps along the tangent of a convex function never
-  /// go too far; past its lowest point there is nothing.
+  /// From outside, where the slope has this sign, steps along the tangent of a convex function
+  /// never go too far; past its lowest point there is nothing.
   [[nodiscard]] double newton(const LineAroundY& line, double s, double sign) const {
     for (int i = 0; i < 100; ++i) {
       const double rho2 = line.distance2(s);

@@ -43,12 +43,14 @@ struct Polygon {
 
 std::vector<dvec3> corners_of(std::span<const double> args) {
   std::vector<dvec3> p;
-  for (std::size_t i = 1; i + 2 < args.size(); i += 3) p.push_back({args[i], args[i + 1], args[i + 2]});
+  for (std::size_t i = 1; i + 2 < args.size(); i += 3)
+    p.push_back({args[i], args[i + 1], args[i + 2]});
   return p;
 }
 
 bool same(dvec3 a, dvec3 b) {
-  return std::abs(a.x - b.x) < epsilon && std::abs(a.y - b.y) < epsilon && std::abs(a.z - b.z) < epsilon;
+  return std::abs(a.x - b.x) < epsilon && std::abs(a.y - b.y) < epsilon &&
+         std::abs(a.z - b.z) < epsilon;
 }
 
 /// Edges of loops, each as two indices; a loop ends where its first corner comes again.
@@ -62,7 +64,8 @@ Loops loops_of(const std::vector<dvec3>& p) {
     std::size_t last = first + 1;
     while (last < p.size() && !same(p[last], p[first])) ++last;
     loops.closed = loops.closed && last < p.size();
-    for (std::size_t i = first; i < last; ++i) loops.edges.emplace_back(i, i + 1 < last ? i + 1 : first);
+    for (std::size_t i = first; i < last; ++i)
+      loops.edges.emplace_back(i, i + 1 < last ? i + 1 : first);
     first = last + 1;
   }
   return loops;
@@ -101,7 +104,8 @@ std::optional<ShapeRef> place_polygon(TypeStores& stores, std::span<const double
     polygon.box.add(q);
   }
   std::vector<Arc> arcs;
-  for (const auto& [from, to] : loops_of(p).edges) arcs.push_back(straight_arc(flat[from], flat[to]));
+  for (const auto& [from, to] : loops_of(p).edges)
+    arcs.push_back(straight_arc(flat[from], flat[to]));
   polygon.outline = Outline(std::move(arcs));
   constexpr double pad = 1e-3;
   for (int i = 0; i < 3; ++i) {
@@ -135,7 +139,8 @@ constexpr PrimitiveType describe_polygon() {
   type.samples = [] {
     return std::vector<std::vector<double>>{
         {5, 0, 0, 0, 1, 0, 0.5, 1, 1, 0.5, 0, 1, 0, 0, 0, 0},
-        {9, -1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0, -1, -1, 0, -0.5, -0.5, 0, 0.5, -0.5, 0, 0, 0.5, 0, -0.5, -0.5, 0}};
+        {9,  -1, -1,   0,    1, -1,  0,    1, 1, 0,   -1, 1,    0,    -1,
+         -1, 0,  -0.5, -0.5, 0, 0.5, -0.5, 0, 0, 0.5, 0,  -0.5, -0.5, 0}};
   };
   return type;
 }

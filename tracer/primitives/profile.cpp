@@ -78,7 +78,8 @@ void add_bezier(std::span<const dvec2> p, Curves& out) {
 
 std::vector<dvec2> points_of(std::span<const double> numbers) {
   std::vector<dvec2> points;
-  for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) points.push_back({numbers[i], numbers[i + 1]});
+  for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
+    points.push_back({numbers[i], numbers[i + 1]});
   return points;
 }
 
@@ -94,14 +95,13 @@ Curves closed_curves(Spline spline, std::span<const dvec2> points) {
   }
   const std::size_t least = layouts[static_cast<std::size_t>(spline)].least;
   if (points.size() < least) {
-    out.problem = fmt::format("such a spline takes {} points or more, here are {}", least, points.size());
+    out.problem =
+        fmt::format("such a spline takes {} points or more, here are {}", least, points.size());
     return out;
   }
   add_through(spline, points, out);
   return out;
 }
-
-
 
 Curves open_curve(Spline spline, std::span<const dvec2> p) {
   constexpr std::array<std::size_t, 3> least = {2, 3, 4};
@@ -119,7 +119,8 @@ Curves open_curve(Spline spline, std::span<const dvec2> p) {
   } else {
     const auto kind = static_cast<std::size_t>(spline);
     if (n < least[kind]) {
-      out.problem = fmt::format("such a spline takes {} points or more, here are {}", least[kind], n);
+      out.problem =
+          fmt::format("such a spline takes {} points or more, here are {}", least[kind], n);
       return out;
     }
     const Layout layout = layouts[kind];
@@ -127,7 +128,8 @@ Curves open_curve(Spline spline, std::span<const dvec2> p) {
       out.arcs.push_back(arc_at(spline, p, i, p[i + 1]));
     }
   }
-  for (std::size_t i = 0; i < out.arcs.size(); ++i) out.arcs[i].number = static_cast<std::uint32_t>(i);
+  for (std::size_t i = 0; i < out.arcs.size(); ++i)
+    out.arcs[i].number = static_cast<std::uint32_t>(i);
   return out;
 }
 

@@ -95,7 +95,8 @@ struct Sor {
       const double a = std::max(s_enter, s_in);
       const double b = std::min(s_leave, s_out);
       if (!(a < b)) continue;
-      const Bernstein<3> gap = excess(segment, line, a, b, a > s_enter, b < s_leave, s_enter, s_leave);
+      const Bernstein<3> gap =
+          excess(segment, line, a, b, a > s_enter, b < s_leave, s_enter, s_leave);
       if (a == s_in && !(gap[0] < 0)) {  // the line comes through an end
         if (!emit(a, climbs ? bottom : top, sees_end(climbs ? bottom : top))) return;
       }
@@ -138,7 +139,8 @@ struct Sor {
       const double size = s_leave - s_enter;
       radius2 = restricted<3>(radius2, (a - s_enter) / size, (b - s_enter) / size);
     }
-    const Bernstein<2> away{line.distance2(a), line.near2 + line.across2 * (a * b), line.distance2(b)};
+    const Bernstein<2> away{line.distance2(a), line.near2 + line.across2 * (a * b),
+                            line.distance2(b)};
     return {radius2[0] - away[0], radius2[1] - (away[0] + 2 * away[1]) / 3,
             radius2[2] - (2 * away[1] + away[2]) / 3, radius2[3] - away[2]};
   }
@@ -194,9 +196,11 @@ std::optional<ShapeRef> place_sor(TypeStores& stores, std::span<const double> ar
     const double slope_high = 2 * r(i + 2) * (r(i + 3) - r(i + 1)) / (h(i + 3) - h(i + 1));
     const double low2 = r(i + 1) * r(i + 1);
     const double high2 = r(i + 2) * r(i + 2);
-    const Bernstein<3> radius2{low2, low2 + slope_low * size / 3, high2 - slope_high * size / 3, high2};
+    const Bernstein<3> radius2{low2, low2 + slope_low * size / 3, high2 - slope_high * size / 3,
+                               high2};
     sor.segments.push_back({h(i + 1), h(i + 2), radius2});
-    const Bernstein<2> slope{radius2[1] - radius2[0], radius2[2] - radius2[1], radius2[3] - radius2[2]};
+    const Bernstein<2> slope{radius2[1] - radius2[0], radius2[2] - radius2[1],
+                             radius2[3] - radius2[2]};
     sor.widest2 = std::max({sor.widest2, low2, high2});
     for (const double w : sign_changes<2>(slope)) {
       sor.widest2 = std::max(sor.widest2, value_and_slope<3>(radius2, w).value);
@@ -216,9 +220,8 @@ constexpr PrimitiveType describe_sor() {
   type.make_stores = [] { return make_type_stores<Sor>(); };
   type.place = place_sor;
   type.samples = [] {
-    return std::vector<std::vector<double>>{
-        {0, 0.5, -1, 0.5, 0, 1, 1, 0.4, 2, 0.3, 3},
-        {1, 0, -1, 0, 0, 0.8, 0.5, 0.2, 1, 0.6, 1.4, 0.9, 2}};
+    return std::vector<std::vector<double>>{{0, 0.5, -1, 0.5, 0, 1, 1, 0.4, 2, 0.3, 3},
+                                            {1, 0, -1, 0, 0, 0.8, 0.5, 0.2, 1, 0.6, 1.4, 0.9, 2}};
   };
   return type;
 }

@@ -15,7 +15,8 @@ namespace {
 
 enum class Path : std::uint8_t { linear, cubic, b_spline };
 
-/// A ball on its way: Bézier coefficients of centre and radius. Straight ways have two, curves four.
+/// A ball on its way: Bézier coefficients of centre and radius. Straight ways have two, curves
+/// four.
 struct SweptBall {
   std::array<dvec3, 4> centre;
   std::array<double, 4> radius;
@@ -106,7 +107,8 @@ struct SphereSweep {
     }
   }
 
-  /// The balls whose centre is nearer to the line than their radius: where a polynomial is positive.
+  /// The balls whose centre is nearer to the line than their radius: where a polynomial is
+  /// positive.
   template <std::size_t N>
   void add_passages(std::uint32_t part, const Ray& ray, std::vector<Passage>& out) const {
     const SweptBall& way = data->ways[part];
@@ -302,7 +304,8 @@ std::shared_ptr<const SweepData> sweep_of(std::span<const double> args) {
 
 std::optional<ShapeRef> place_sphere_sweep(TypeStores& stores, std::span<const double> args,
                                            const Transform& to_world, bool inverted) {
-  return place_shape(stores, SphereSweep{shared_data<SweepData>(args, sweep_of)}, to_world, inverted);
+  return place_shape(stores, SphereSweep{shared_data<SweepData>(args, sweep_of)}, to_world,
+                     inverted);
 }
 
 constexpr PrimitiveType describe_sphere_sweep() {

@@ -32,7 +32,8 @@ struct Superellipsoid {
   dvec2 exponents{1, 1};
 
   static constexpr std::array params{
-      positional<&Superellipsoid::exponents>("exponents", "exponents, around the z axis and along it"),
+      positional<&Superellipsoid::exponents>("exponents",
+                                             "exponents, around the z axis and along it"),
   };
   static std::vector<Superellipsoid> samples() {
     return {{{1, 1}}, {{0.25, 0.5}}, {{1.5, 0.7}}, {{0.1, 0.1}}, {{2, 2}}, {{2.5, 3}}, {{0, 0.3}}};
@@ -93,10 +94,15 @@ struct Superellipsoid {
     stops[n++] = t_in;
     const dvec3 o = ray.o;
     const dvec3 d = ray.d;
-    const std::array<dvec2, 9> planes = {{{o.x, d.x}, {o.y, d.y}, {o.z, d.z},
-                                          {o.x + o.y, d.x + d.y}, {o.x - o.y, d.x - d.y},
-                                          {o.x + o.z, d.x + d.z}, {o.x - o.z, d.x - d.z},
-                                          {o.y + o.z, d.y + d.z}, {o.y - o.z, d.y - d.z}}};
+    const std::array<dvec2, 9> planes = {{{o.x, d.x},
+                                          {o.y, d.y},
+                                          {o.z, d.z},
+                                          {o.x + o.y, d.x + d.y},
+                                          {o.x - o.y, d.x - d.y},
+                                          {o.x + o.z, d.x + d.z},
+                                          {o.x - o.z, d.x - d.z},
+                                          {o.y + o.z, d.y + d.z},
+                                          {o.y - o.z, d.y - d.z}}};
     for (const dvec2 plane : planes) {
       const double t = -plane.x / plane.y;
       if (t > t_in && t < t_out) stops[n++] = t;
@@ -153,7 +159,8 @@ struct Superellipsoid {
       if (convex_shape() && !(floor < 0)) return true;
       double t = cut;
       const double margin = 0.05 * (hi - lo);
-      if (!(t > lo + margin && t < hi - margin)) t = i % 2 == 0 ? std::clamp(t, lo + margin, hi - margin) : 0.5 * (lo + hi);
+      if (!(t > lo + margin && t < hi - margin))
+        t = i % 2 == 0 ? std::clamp(t, lo + margin, hi - margin) : 0.5 * (lo + hi);
       if (!(t > lo && t < hi)) t = 0.5 * (lo + hi);
       const Slope at_t = excess(ray, t);
       if ((at_t.value < 0) != inside_a) {

@@ -129,7 +129,7 @@ constexpr PrimitiveType describe_text() {
     return std::vector<std::vector<double>>{
         // A lens, and a square with a round hole.
         {0.4, 0, 0, 0, 2, 0.5, -0.7, 1, 0, 2, 0.5, 0.6, 0, 0},
-        {0.2, 0, 0,   0, 1, 1,   0, 1,   1,   1,   1, 0,   1,   1,   0,  0,
+        {0.2, 0,   0,   0, 1,   1,   0,   1,   1,   1,   1, 0,   1,   1,   0,  0,
          0,   0.3, 0.5, 3, 0.3, 0.8, 0.7, 0.8, 0.7, 0.5, 2, 0.5, 0.2, 0.3, 0.5}};
   };
   return type;

@@ -60,7 +60,8 @@ TEST_CASE("bernstein: a zero at the beginning does not hide the change of sign",
   CHECK(roots.values[0] == Approx(2.0 / 3));
 }
 
-TEST_CASE("bernstein: products, more coefficients and parts have the same values", "[base][roots]") {
+TEST_CASE("bernstein: products, more coefficients and parts have the same values",
+          "[base][roots]") {
   const Bernstein<3> p{0.3, -2, 1.5, 4};
   const auto value = [](const auto& b, double x) {
     return value_and_slope<std::tuple_size_v<std::decay_t<decltype(b)>> - 1>(b, x).value;

@@ -30,8 +30,8 @@ TEST_CASE("items: semicolons and commas stand anywhere", "[grammar][items]") {
 TEST_CASE("items: a `#` before a keyword or a brace means nothing", "[grammar][items]") {
   CHECK(dump("camera { look_at 0# }") == ":camera {:look_at 0}");
   CHECK(dump("# sphere { 0, 1 } ##declare A=1;") == ":sphere {0 ',' 1} #declare A=1;");
-  CHECK(dump("sphere { 0, # 1 }") == ":sphere {0 ',' 1}");
-  CHECK(dump("#if (0) # 1 #end") == "#if (0){1}");
+  CHECK(diagnose("sphere { 0, # 1 }") == "D0101 1:15 there is no directive `#1`");
+  CHECK(dump("#if (0) # 1 #end") == "#if (0){'#' 1}");
 }
 
 TEST_CASE("items: very old scenes declare without `#`", "[grammar][items]") {

@@ -101,10 +101,9 @@ TEST_CASE("read: palettes stay palettes", "[image][read]") {
 TEST_CASE("read: GIF gives indices", "[image][read]") {
   const Folder folder;
   // Two by one pixels, four colours; codes of 3 bits: clear, 2, 1, end.
-  const unsigned char bytes[] = {'G', 'I', 'F', '8', '9', 'a', 2, 0, 1, 0, 0x81, 0, 0,
-                                 0,   0,   0,   10,  11,  12,  20, 21, 22, 30, 31, 32,
-                                 0x2C, 0, 0, 0, 0, 2, 0, 1, 0, 0,
-                                 2, 2, 0x54, 0x0A, 0, 0x3B};
+  const unsigned char bytes[] = {'G', 'I', 'F', '8', '9', 'a', 2,  0,  1,  0,    0x81, 0,    0,   0,
+                                 0,   0,   10,  11,  12,  20,  21, 22, 30, 31,   32,   0x2C, 0,   0,
+                                 0,   0,   2,   0,   1,   0,   0,  2,  2,  0x54, 0x0A, 0,    0x3B};
   std::FILE* file = std::fopen((folder / "a.gif").c_str(), "wb");
   std::fwrite(bytes, 1, sizeof bytes, file);
   std::fclose(file);
