@@ -22,6 +22,13 @@ constexpr std::size_t mebibyte = std::size_t{1} << 20U;
 constexpr std::size_t reserve = 4 * mebibyte;
 constexpr std::size_t guard = 65536;
 
+#ifdef __SANITIZE_ADDRESS__
+// The sanitizer forgets nothing of frames left by exceptions on stacks beyond 64 MiB.
+constexpr std::size_t largest = 63 * mebibyte;
+#else
+constexpr std::size_t largest = 256 * mebibyte;
+#endif
+
 thread_local std::uintptr_t floor_of_stack = 0;
 
 /// Memory for a stack, with a guard below it. Pages are taken when they are used.
@@ -29,7 +36,7 @@ class Stack {
  public:
   Stack() {
     // Under a tight limit on memory a smaller one must do.
-    for (const std::size_t size : {256 * mebibyte, 64 * mebibyte, 16 * mebibyte}) {
+    for (const std::size_t size : {largest, largest / 4, largest / 16}) {
       void* at = mmap(nullptr, size, PROT_READ | PROT_WRITE,
                       MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_STACK, -1, 0);
       if (at == MAP_FAILED) continue;
