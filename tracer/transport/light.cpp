@@ -12,12 +12,12 @@ float next_noise(std::uint32_t& state) {
 }
 
 vec3 Tracer::illuminate(const View& view, const Path& path, const LayerPoint& layer,
-                        bool first_layer) {
+                        bool first_lit) {
   vec3 sum(0.0F);
   for (std::size_t i = 0; i < scene_->lights.size(); ++i) {
     const Light& light = scene_->lights[i];
     LampAtPoint& lamp = scratch_->lamps[i];
-    if (first_layer) lamp = {incidence(light, view.p), vec3(0.0F), false};
+    if (first_lit) lamp = {incidence(light, view.p), vec3(0.0F), false};
     if (dark(lamp.in.colour)) continue;
     const bool behind = glm::dot(layer.n, lamp.in.l) < epsilon && !view.double_illuminate;
     if (behind && layer.finish->diffuse_back == 0) continue;

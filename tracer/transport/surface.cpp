@@ -72,6 +72,7 @@ Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
   LayerSum sum;
   SurfaceView seen{view.p, view.d, view.g};
   const std::uint32_t first = view.texture->first_layer;
+  bool first_lit = true;  // layers may ignore the lights that others need
   for (std::uint32_t i = first; i < view.texture->end_layer && sum.sigma > adc_; ++i) {
     const LayerProgram& program = textures.layer(i);
     const dvec3 n = program.normal == scene::none ? view.g : bend(view, program, seen);
@@ -88,7 +89,10 @@ Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
     vec3 rho(0.0F);
     if (f.reflects) rho = remember_reflection(view, path, layer, sum.sigma);
     vec3 light = c.rgb * f.glow_pigment * layer.opacity;
-    if (f.lit) light += illuminate(view, path, layer, i == first);
+    if (f.lit) {
+      light += illuminate(view, path, layer, first_lit);
+      first_lit = false;
+    }
     sum.colour += light * sum.through;
     sum.through *= c.transmission();
     if (f.conserve_energy) sum.through *= glm::min(vec3(1.0F), 1.0F - rho);

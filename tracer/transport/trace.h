@@ -133,7 +133,7 @@ class Tracer {
   [[nodiscard]] vec3 attenuation(const View& view, const Path& path) const;
 
   [[nodiscard]] vec3 illuminate(const View& view, const Path& path, const LayerPoint& layer,
-                                bool first_layer);
+                                bool first_lit);
   [[nodiscard]] vec3 shade(const View& view, const LayerPoint& layer, const Light& light,
                            const LampAtPoint& lamp, bool backside);
   [[nodiscard]] vec3 shadowed(const Light& light, const Incidence& in, dvec3 p,
