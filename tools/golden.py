@@ -102,6 +102,13 @@ def main() -> int:
         return 2
     work, chosen = (check, args.scene) if args.command == "check" else (regenerate, scenes(args.filter))
     failures = 0
+    if args.command == "check":
+        missing = {scene: need for scene in chosen if (need := programs.missing_need(scene))}
+        for scene, need in missing.items():
+            print(f"{scene.name}: skipped, {need} is not installed; {programs.HOW_TO_INSTALL_ORACLE}")
+        if len(missing) == len(chosen):
+            return programs.SKIPPED
+        chosen = [scene for scene in chosen if scene not in missing]
     for golden in map(load, chosen):
         if problem := work(golden):
             print(f"{golden.scene}: {problem}", file=sys.stderr)

@@ -23,7 +23,7 @@ import answers
 import programs
 
 FOLDER = programs.ROOT / "tests" / "includes"
-INCLUDES = Path("/usr/share/povray-3.7/include")
+INCLUDES = programs.INCLUDES
 HEAD = """#version 3.7; global_settings { assumed_gamma 1 }
 #declare A_f = 0.5; #declare A_v = <1,2,3>; #declare A_s = "text"; #declare A_o = sphere { 0, 1 }
 #declare A_c = rgb <0.2,0.4,0.6>; #declare A_r = seed(1); #declare A_a = array[3] { 3, 1, 2 } #declare A_n = 2;

@@ -243,6 +243,10 @@ def main() -> int:
         return 2
     if args.action == "record":
         return record(paths)
+    missing = {path: need for path in paths if (need := programs.missing_need(path))}
+    for path, need in missing.items():
+        print(f"{path.name}: skipped, {need} is not installed; {programs.HOW_TO_INSTALL_ORACLE}")
+    paths = [path for path in paths if path not in missing]
     return judge_all(paths, judge_durer if args.action == "check" else judge_oracle)
 
 

@@ -16,8 +16,21 @@ import png
 ROOT = Path(__file__).resolve().parent.parent
 SKIPPED = 77  # exit code: a part could not run because something optional is not installed
 
+INCLUDES = Path("/usr/share/povray-3.7/include")  # of the oracle's packages: include files and fonts
+NEEDS = "// needs: "  # a line near the top of a scene of ours: a file from there without which it cannot run
+
 ORACLE_PACKAGES = ("povray", "povray-includes", "povray-examples")
 HOW_TO_INSTALL_ORACLE = f"`make oracle` installs it (Debian packages {', '.join(ORACLE_PACKAGES)})"
+
+
+def missing_need(scene: Path) -> str:
+    """The installed file that a scene needs and that is not there; empty if there is none."""
+    with open(scene, encoding="utf-8", errors="replace") as text:
+        for line, _ in zip(text, range(8)):
+            if line.startswith(NEEDS):
+                name = line[len(NEEDS):].strip()
+                return "" if (INCLUDES / name).exists() else name
+    return ""
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,10 @@
 // golden: +W96 +H72 -A; psnr >= 42; steep small detail, and roots up to one accuracy apart
 #version 3.7;
-#include "functions.inc"
+#declare f_ridged_mf = function { internal(59) }
+#declare f_sphere = function { internal(61) }
+#declare f_torus = function { internal(70) }
+#declare f_noise3d = function { internal(76) }
+#declare f_snoise3d = function { 2*f_noise3d(x, y, z) - 1 }
 global_settings { assumed_gamma 1 }
 // Noise, sums of noise and other built-in shapes.
 camera { location <0, 2.8, -6> look_at <0, -0.1, 0> angle 46 }

@@ -1,4 +1,5 @@
 // golden: +W160 +H96 -A; psnr >= 40; rays along the edges of letters may go either way
+// needs: timrom.ttf
 #version 3.7;
 global_settings { assumed_gamma 1 }
 // Three of the built-in fonts, kerning and offsets, thick and thin, in solid geometry.

@@ -1,4 +1,5 @@
-// Built-in functions §6: what functions.inc declares beside the internal functions; needs it installed.
+// Built-in functions §6: what functions.inc declares beside the internal functions.
+// needs: functions.inc
 #version 3.7;
 global_settings { assumed_gamma 1 }
 #include "functions.inc"
