@@ -53,15 +53,18 @@ FieldSearch::Line FieldSearch::line_in(const FieldCell& cell) const {
 /// Visits cells in the order of the line until there is nothing more to find.
 void FieldSearch::walk(double t0, double t1) {
   using State = FieldLink::State;
-  std::array<Visit, field_depth + 1> later;
+  struct Visit {
+    const FieldCell* cell;
+    double end;
+  };
+  std::array<Visit, field_depth + 1> later;  // cells that the line has yet to pass
   std::size_t waiting = 0;
-  Visit now{&field_.root(), dvec3(0.0), dvec3(0.0), t1};
+  Visit now{&field_.root(), t1};
+  dvec3 inverse;
   std::array<std::size_t, 3> nearer;  // which half comes first
   for (int k = 0; k < 3; ++k) {
-    // Along the plane: it is far away, on the side that tells which half the line is in.
-    const double inverse = std::clamp(1 / ray_.d[k], -1e200, 1e200);
-    now.middle[k] = -from_centre_[k] * inverse;
-    now.reach[k] = field_.half()[k] * std::abs(inverse);
+    // Along a plane, that is far away, on the side that tells which half the line is in.
+    inverse[k] = std::clamp(1 / ray_.d[k], -1e200, 1e200);
     nearer[static_cast<std::size_t>(k)] = std::signbit(ray_.d[k]) ? 1 : 0;
   }
   while (true) {
@@ -86,18 +89,15 @@ void FieldSearch::walk(double t0, double t1) {
         if (link.state() == State::whole) link = field_.split(*now.cell, link);
         const int k = link.axis();
         const std::size_t near = nearer[static_cast<std::size_t>(k)];
-        const auto& halves = link.halves().cells;
-        const double middle = now.middle[k];
-        now.reach[k] *= 0.5;
-        if (middle < now.end) {
-          now.middle[k] = middle + now.reach[k];
-          now.cell = &halves[1 - near];
-          if (middle <= t0) continue;
-          later[waiting++] = now;
-          now.end = middle;
-        }
-        now.middle[k] = middle - now.reach[k];
-        now.cell = &halves[near];
+        const FieldHalves& halves = link.halves();
+        const double middle = (halves.plane - ray_.o[k]) * inverse[k];
+        // Without branches, which could not be foretold.
+        const bool past = middle <= t0;
+        const bool both = !past && middle < now.end;
+        later[waiting] = {&halves.cells[1 - near], now.end};
+        waiting += both ? 1 : 0;
+        now.cell = &halves.cells[past ? 1 - near : near];
+        now.end = both ? middle : now.end;
         continue;
       }
     }

@@ -72,14 +72,6 @@ class FieldSearch {
   [[nodiscard]] std::optional<double> solve(const Rise& rise);
   [[nodiscard]] double bracketed_root(const Piece& piece);
 
-  /// A cell that the line has yet to pass. Where its middle plane across each axis lies on the line,
-  /// and how far from there the cell reaches, in units of t.
-  struct Visit {
-    const FieldCell* cell;
-    dvec3 middle;
-    dvec3 reach;
-    double end;
-  };
   void walk(double t0, double t1);
   void report(double t, int sign) { done_ = done_ || take_(context_, t, sign); }
 

@@ -104,6 +104,7 @@ FieldLink FunctionField::split(const FieldCell& cell, FieldLink link) const {
   auto made = std::make_unique<FieldHalves>();
   const FieldDetail& parent = link.detail();
   const int k = link.axis();
+  made->plane = parent.centre[k];
   const double bound = load(cell.above);
   for (std::size_t i = 0; i < 2; ++i) {
     FieldDetail& part = made->details[i];

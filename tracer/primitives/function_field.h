@@ -89,6 +89,7 @@ struct FieldCell {
 /// The lower and the higher half of a cell.
 struct FieldHalves {
   alignas(64) std::array<FieldCell, 2> cells;
+  double plane = 0;  // the coordinate between them
   std::array<FieldDetail, 2> details;
 };
 
