@@ -71,7 +71,9 @@ void FieldSearch::walk(double t0, double t1) {
     if (t0 >= t_to_) done_ = true;
     if (done_) return;
     FieldLink link = now.cell->link.load(std::memory_order_acquire);
-    if (link.state() == State::inside) {
+    if (now.end <= t_from_) {
+      sign_ = 0;  // it may change there
+    } else if (link.state() == State::inside) {
       settle(-1, t0);
     } else if (link.state() == State::outside) {
       settle(1, t0);
@@ -165,7 +167,7 @@ void FieldSearch::examine(const FieldDetail& cell, const Line& line, double t0, 
   }
   // One root at most.
   const int rising = slope > 0 ? 1 : -1;
-  if (sign_ == 0) {
+  if (sign_ == 0 || t_from_ > t0) {  // nothing to solve if the root lies before
     const int sign = sign_of(value(std::clamp(t_from_, t0, t1)));
     if (sign == rising) {
       if (!(t_from_ > t0)) settle(sign, t0);

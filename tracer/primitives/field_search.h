@@ -30,7 +30,7 @@ class FieldSearch {
       return (*static_cast<Take*>(context))(t, sign);
     };
     if (stretch.to <= t_from_ || stretch.from >= t_to_) return 0;
-    walk(std::max(stretch.from, t_from_), stretch.to);
+    walk(stretch.from, stretch.to);
     return done_ ? 0 : sign_;
   }
 
