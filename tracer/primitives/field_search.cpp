@@ -71,9 +71,7 @@ void FieldSearch::walk(double t0, double t1) {
     if (t0 >= t_to_) done_ = true;
     if (done_) return;
     FieldLink link = now.cell->link.load(std::memory_order_acquire);
-    if (now.end <= t_from_) {
-      sign_ = 0;  // it may change there
-    } else if (link.state() == State::inside) {
+    if (link.state() == State::inside) {
       settle(-1, t0);
     } else if (link.state() == State::outside) {
       settle(1, t0);
@@ -92,9 +90,11 @@ void FieldSearch::walk(double t0, double t1) {
         const int k = link.axis();
         const std::size_t near = nearer[static_cast<std::size_t>(k)];
         const FieldHalves& halves = link.halves();
+        const double beginning = std::max(t0, t_from_);
         const double middle = (halves.plane - ray_.o[k]) * inverse[k];
         // Without branches, which could not be foretold.
-        const bool past = middle <= t0;
+        const bool past = middle <= beginning;
+        t0 = past ? std::max(t0, middle) : t0;
         const bool both = !past && middle < now.end;
         later[waiting] = {&halves.cells[1 - near], now.end};
         waiting += both ? 1 : 0;
