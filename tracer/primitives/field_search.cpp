@@ -109,8 +109,8 @@ void FieldSearch::walk(double t0, double t1) {
   }
 }
 
-/// The part of t0 … t1 where the linear bounds of the cell, m + t · slope ± error along the line,
-/// leave the sign open. Signs before it are settled.
+/// The part of t0 … t1 where the linear bounds of the cell, m + t · slope ± error on the line, leave
+/// the sign open. Signs before it are settled.
 FieldSearch::Band FieldSearch::clip(const Line& line, double t0, double t1) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Band band{t0, t1, infinity, 0, 0, false};
@@ -157,8 +157,8 @@ void FieldSearch::examine(const FieldDetail& cell, const Line& line, double t0, 
   if (!(std::abs(slope) > spread)) {
     const double ga = begin == last_t_ && tape_ == last_tape_ ? last_g_ : value(begin);
     settle(sign_of(ga), begin);
-    const Interval slopes = std::isfinite(spread) ? Interval{slope - spread, slope + spread}
-                                                  : Interval::entire();
+    const Interval slopes =
+        std::isfinite(spread) ? Interval{slope - spread, slope + spread} : Interval::entire();
     const double gb = value(end);
     last_t_ = end;
     last_g_ = gb;
@@ -177,8 +177,7 @@ void FieldSearch::examine(const FieldDetail& cell, const Line& line, double t0, 
     settle(sign, t0);
   }
   if (sign_ == rising) return;
-  const Rise rise{begin,           end,    band.limit,    band.middle,
-                  std::abs(slope), spread, double(rising)};
+  const Rise rise{begin, end, band.limit, band.middle, std::abs(slope), spread, double(rising)};
   if (const auto t = solve(rise)) settle(rising, *t);
 }
 

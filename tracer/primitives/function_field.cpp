@@ -58,7 +58,8 @@ int axis_to_halve(const Trend& trend, const dvec3& half) {
   }
   for (int k = 0; k < 3; ++k) {
     const Interval& d = trend.d[static_cast<std::size_t>(k)];
-    const double steepest = known ? std::max(std::abs(d.lo), std::abs(d.hi)) + 2 * (d.hi - d.lo) : 1;
+    const double steepest =
+        known ? std::max(std::abs(d.lo), std::abs(d.hi)) + 2 * (d.hi - d.lo) : 1;
     if (steepest * half[k] > most) {
       most = steepest * half[k];
       best = k;
@@ -115,7 +116,8 @@ FieldLink FunctionField::split(const FieldCell& cell, FieldLink link) const {
     part.parent = &parent;
     FieldCell& half = made->cells[i];
     // What is known of the whole may do.
-    const Spread m = spread_over(static_cast<double>(cell.value), to_dvec3(cell.slope), part, centre());
+    const Spread m =
+        spread_over(static_cast<double>(cell.value), to_dvec3(cell.slope), part, centre());
     if (m.lo > bound) {
       half.link = FieldLink(State::outside, 0, &part);
     } else if (m.hi < -bound) {
@@ -203,13 +205,15 @@ void FunctionField::examine(FieldCell& cell, FieldDetail& detail,
   const double variation = glm::dot(spread, spread);
   known = known && std::isfinite(steepness) && std::isfinite(variation);
   const bool smooth = known && variation <= smoothness * smoothness * steepness;
-  const State state = smooth ? State::smooth : detail.depth < field_depth ? State::whole : State::rough;
+  const State state = smooth                       ? State::smooth
+                      : detail.depth < field_depth ? State::whole
+                                                   : State::rough;
   set(state, axis_to_halve(trend, detail.half));
   cell.above = std::numeric_limits<float>::infinity();
   cell.below = -std::numeric_limits<float>::infinity();
   if (!known) return;
-  const double value = functions::evaluate(*detail.tape, std::array{c.x, c.y, c.z}, workspace) -
-                       threshold_;
+  const double value =
+      functions::evaluate(*detail.tape, std::array{c.x, c.y, c.z}, workspace) - threshold_;
   const dvec3 from_centre = c - centre();
   const double at_centre = value - glm::dot(slope, from_centre);
   cell.value = static_cast<float>(at_centre);
