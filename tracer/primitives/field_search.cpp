@@ -19,7 +19,7 @@ FieldSearch::FieldSearch(const FunctionField& field, const Ray& ray, double t_fr
                          double least)
     : field_(field),
       ray_(ray),
-      inverse_(1.0 / ray.d.x, 1.0 / ray.d.y, 1.0 / ray.d.z),
+      from_centre_(ray.o - field.centre()),
       t_from_(t_from),
       t_to_(t_to),
       workspace_(function_workspace(field.generator())) {
@@ -43,64 +43,81 @@ double FieldSearch::value(double t) {
   return (*evaluator_)(std::array{p.x, p.y, p.z}) - field_.threshold();
 }
 
-void FieldSearch::walk(const FieldCell& cell, const dvec3& centre, const dvec3& half, int depth,
-                       double t0, double t1) {
-  using State = FieldCell::State;
-  if (t1 <= t_from_) return void(sign_ = 0);  // it may change there
-  if (t0 >= t_to_) done_ = true;
-  if (done_) return;
-  if (cell.state == State::inside) return settle(-1, t0);
-  if (cell.state == State::outside) return settle(1, t0);
-  if (const int sign = sign_over(cell, centre, t0, t1); sign != 0) return settle(sign, t0);
-  if (cell.state != State::mixed) return examine(cell, centre, t0, t1);
+FieldSearch::Line FieldSearch::line_in(const FieldCell& cell) const {
+  const dvec3 g(cell.slope[0], cell.slope[1], cell.slope[2]);
+  return {static_cast<double>(cell.value) + glm::dot(g, from_centre_), glm::dot(g, ray_.d),
+          static_cast<double>(cell.above.load(std::memory_order_relaxed)),
+          static_cast<double>(cell.below.load(std::memory_order_relaxed))};
+}
 
-  const FieldHalves& halves = field_.halves(cell, centre, half, depth);
-  const int k = cell.axis;
-  const double middle = (centre[k] - ray_.o[k]) * inverse_[k];
-  const bool rising = ray_.d[k] > 0;
-  dvec3 part = half;
-  part[k] *= 0.5;
-  const auto enter = [&](bool higher, double from, double to) {
-    dvec3 at = centre;
-    at[k] += higher ? part[k] : -part[k];
-    walk(halves.cells[higher ? 1 : 0], at, part, depth + 1, from, to);
+/// Visits cells in the order of the line until there is nothing more to find.
+void FieldSearch::walk(double t0, double t1) {
+  using State = FieldLink::State;
+  struct Visit {
+    const FieldCell* cell;
+    double end;
   };
-  if (ray_.d[k] == 0) {
-    enter(ray_.o[k] >= centre[k], t0, t1);
-  } else if (middle <= t0) {
-    enter(rising, t0, t1);
-  } else if (middle >= t1) {
-    enter(!rising, t0, t1);
-  } else {
-    enter(!rising, t0, middle);
-    enter(rising, middle, t1);
+  std::array<Visit, field_depth + 1> later;  // cells that the line has yet to pass
+  std::size_t waiting = 0;
+  Visit now{&field_.root(), t1};
+  dvec3 inverse;
+  std::array<std::size_t, 3> nearer;  // which half comes first
+  for (int k = 0; k < 3; ++k) {
+    // Along a plane, that is far away, on the side that tells which half the line is in.
+    inverse[k] = std::clamp(1 / ray_.d[k], -1e200, 1e200);
+    nearer[static_cast<std::size_t>(k)] = std::signbit(ray_.d[k]) ? 1 : 0;
+  }
+  while (true) {
+    if (t0 >= t_to_) done_ = true;
+    if (done_) return;
+    FieldLink link = now.cell->link.load(std::memory_order_acquire);
+    if (link.state() == State::inside) {
+      settle(-1, t0);
+    } else if (link.state() == State::outside) {
+      settle(1, t0);
+    } else {
+      const Line line = line_in(*now.cell);
+      const double a = line.at + line.slope * t0;
+      const double b = line.at + line.slope * now.end;
+      if (std::min(a, b) > line.above) {
+        settle(1, t0);
+      } else if (std::max(a, b) < line.below) {
+        settle(-1, t0);
+      } else if (link.state() < State::whole) {
+        examine(link.detail(), line, t0, now.end);
+      } else {
+        if (link.state() == State::whole) link = field_.split(*now.cell, link);
+        const int k = link.axis();
+        const std::size_t near = nearer[static_cast<std::size_t>(k)];
+        const FieldHalves& halves = link.halves();
+        const double beginning = std::max(t0, t_from_);
+        const double middle = (halves.plane - ray_.o[k]) * inverse[k];
+        // Without branches, which could not be foretold.
+        const bool past = middle <= beginning;
+        t0 = past ? std::max(t0, middle) : t0;
+        const bool both = !past && middle < now.end;
+        later[waiting] = {&halves.cells[1 - near], now.end};
+        waiting += both ? 1 : 0;
+        now.cell = &halves.cells[past ? 1 - near : near];
+        now.end = both ? middle : now.end;
+        continue;
+      }
+    }
+    if (waiting == 0) return;
+    t0 = now.end;
+    now = later[--waiting];
   }
 }
 
-/// The sign all over t0 … t1 if the linear bounds of the cell tell it, else 0.
-int FieldSearch::sign_over(const FieldCell& cell, const dvec3& centre, double t0,
-                           double t1) const {
-  const auto error = static_cast<double>(cell.error);
-  const dvec3 g(cell.slope[0], cell.slope[1], cell.slope[2]);
-  const double m = cell.value + glm::dot(g, ray_.o - centre);
-  const double slope = glm::dot(g, ray_.d);
-  const double a = m + slope * t0;
-  const double b = m + slope * t1;
-  if (std::min(a, b) > error) return 1;
-  return std::max(a, b) < -error ? -1 : 0;
-}
-
-/// The part of t0 … t1 where the linear bounds of the cell, m + t · slope ± error along the line,
-/// leave the sign open. Signs before it are settled.
-FieldSearch::Band FieldSearch::clip(const FieldCell& cell, const dvec3& centre, double t0,
-                                    double t1) {
+/// The part of t0 … t1 where the linear bounds of the cell, m + t · slope ± error on the line, leave
+/// the sign open. Signs before it are settled.
+FieldSearch::Band FieldSearch::clip(const Line& line, double t0, double t1) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Band band{t0, t1, infinity, 0, 0, false};
-  const double error = static_cast<double>(cell.error);
-  if (!std::isfinite(error)) return band;
-  const dvec3 g(cell.slope[0], cell.slope[1], cell.slope[2]);
-  const double m = cell.value + glm::dot(g, ray_.o - centre);
-  band.slope = glm::dot(g, ray_.d);
+  if (!std::isfinite(line.above)) return band;
+  const double m = line.at;
+  const double error = line.above;
+  band.slope = line.slope;
   const auto one_sign = [&](int sign) {
     band.empty = true;
     settle(sign, t0);
@@ -122,26 +139,26 @@ FieldSearch::Band FieldSearch::clip(const FieldCell& cell, const dvec3& centre, 
 }
 
 /// Looks for changes of sign in the part t0 … t1 of the line, which lies in the cell.
-void FieldSearch::examine(const FieldCell& cell, const dvec3& centre, double t0, double t1) {
+void FieldSearch::examine(const FieldDetail& cell, const Line& line, double t0, double t1) {
   if (tape_ != cell.tape) {
     tape_ = cell.tape;
     evaluator_.emplace(*tape_, workspace_);
   }
-  const Band band = clip(cell, centre, t0, t1);
+  const Band band = clip(line, t0, t1);
   if (band.empty) return;
   const double begin = band.begin;
   const double end = band.end;
   const double slope = band.slope;
   double spread = std::numeric_limits<double>::infinity();
-  if (std::isfinite(cell.error)) {
+  if (std::isfinite(line.above)) {
     spread = glm::dot(dvec3(cell.spread[0], cell.spread[1], cell.spread[2]), glm::abs(ray_.d));
   }
 
   if (!(std::abs(slope) > spread)) {
     const double ga = begin == last_t_ && tape_ == last_tape_ ? last_g_ : value(begin);
     settle(sign_of(ga), begin);
-    const Interval slopes = std::isfinite(spread) ? Interval{slope - spread, slope + spread}
-                                                  : Interval::entire();
+    const Interval slopes =
+        std::isfinite(spread) ? Interval{slope - spread, slope + spread} : Interval::entire();
     const double gb = value(end);
     last_t_ = end;
     last_g_ = gb;
@@ -150,7 +167,7 @@ void FieldSearch::examine(const FieldCell& cell, const dvec3& centre, double t0,
   }
   // One root at most.
   const int rising = slope > 0 ? 1 : -1;
-  if (sign_ == 0) {
+  if (sign_ == 0 || t_from_ > t0) {  // nothing to solve if the root lies before
     const int sign = sign_of(value(std::clamp(t_from_, t0, t1)));
     if (sign == rising) {
       if (!(t_from_ > t0)) settle(sign, t0);
@@ -160,8 +177,7 @@ void FieldSearch::examine(const FieldCell& cell, const dvec3& centre, double t0,
     settle(sign, t0);
   }
   if (sign_ == rising) return;
-  const Rise rise{begin,           end,    band.limit,    band.middle,
-                  std::abs(slope), spread, double(rising)};
+  const Rise rise{begin, end, band.limit, band.middle, std::abs(slope), spread, double(rising)};
   if (const auto t = solve(rise)) settle(rising, *t);
 }
 
@@ -186,14 +202,19 @@ std::optional<double> FieldSearch::solve(const Rise& rise) {
       hi = std::min(hi, t - v / least);
       if (lo > rise.end || (t == rise.end && v < 0)) return std::nullopt;
     }
-    double steepness = rise.slope;
-    double tolerance = 1e-4 * fine_;
-    if (i > 0) {
-      steepness = std::clamp((v - last_v) / (t - last_t), least, most);
-      tolerance = fine_;
+    double next = 0;
+    double doubt = 0;  // how far the root may be from there
+    if (i == 0) {
+      next = t - v / rise.slope;
+      doubt = std::abs(next - t) * (rise.spread / least);
+    } else {
+      next = t - v / std::clamp((v - last_v) / (t - last_t), least, most);
+      // Errors of secants shrink like e[i+1] = c e[i] e[i-1], and a step is about the error of its
+      // beginning.
+      doubt = (next - t) * (next - t) / std::abs(t - last_t);
     }
-    double next = std::clamp(t - v / steepness, lo, std::max(lo, hi));
-    if (std::abs(next - t) <= tolerance) return std::min(next, rise.end);
+    next = std::clamp(next, lo, std::max(lo, hi));
+    if (doubt <= 0.1 * fine_ || hi - lo <= fine_) return std::min(next, rise.end);
     if (i > 12) next = lo + (hi - lo) / 2;  // slopes that vary wildly
     last_t = t;
     last_v = v;

@@ -30,7 +30,7 @@ class FieldSearch {
       return (*static_cast<Take*>(context))(t, sign);
     };
     if (stretch.to <= t_from_ || stretch.from >= t_to_) return 0;
-    walk(field_.root(), field_.centre(), field_.half(), 0, stretch.from, stretch.to);
+    walk(stretch.from, stretch.to);
     return done_ ? 0 : sign_;
   }
 
@@ -38,7 +38,13 @@ class FieldSearch {
   /// A sign that is known to hold from t on.
   void settle(int sign, double t);
   [[nodiscard]] double value(double t);
-  void examine(const FieldCell& cell, const dvec3& centre, double t0, double t1);
+  /// The linear function of a cell along the line, at + t · slope, and above and below what the sign
+  /// is settled.
+  struct Line {
+    double at, slope, above, below;
+  };
+  [[nodiscard]] Line line_in(const FieldCell& cell) const;
+  void examine(const FieldDetail& cell, const Line& line, double t0, double t1);
   struct Band {
     double begin, end;  // where a root may lie
     double limit;       // the same as `end`, if the cell went on
@@ -46,9 +52,7 @@ class FieldSearch {
     double slope;       // likely slope along the line
     bool empty;
   };
-  [[nodiscard]] int sign_over(const FieldCell& cell, const dvec3& centre, double t0,
-                              double t1) const;
-  Band clip(const FieldCell& cell, const dvec3& centre, double t0, double t1);
+  Band clip(const Line& line, double t0, double t1);
   /// Part of the line with the values at its ends and the slopes between them.
   struct Piece {
     double a, ga;
@@ -68,14 +72,12 @@ class FieldSearch {
   [[nodiscard]] std::optional<double> solve(const Rise& rise);
   [[nodiscard]] double bracketed_root(const Piece& piece);
 
-  /// Visits cells in the order of the line until there is nothing more to find.
-  void walk(const FieldCell& cell, const dvec3& centre, const dvec3& half, int depth, double t0,
-            double t1);
+  void walk(double t0, double t1);
   void report(double t, int sign) { done_ = done_ || take_(context_, t, sign); }
 
   const FunctionField& field_;
   Ray ray_;
-  dvec3 inverse_;
+  dvec3 from_centre_;  // of the field to the origin of the line
   double t_from_;
   double t_to_;
   double least_;  // along the line, in units of |d|

@@ -8,10 +8,8 @@ namespace durer::tracer {
 namespace {
 
 using functions::Function;
-using State = FieldCell::State;
+using State = FieldLink::State;
 
-/// Cells are halved at most this often: a hundred cells or so along each edge of the box.
-constexpr int depth_limit = 20;
 /// Slopes are known well if they vary by less than this share of the gradient.
 constexpr double smoothness = 0.35;
 
@@ -21,16 +19,36 @@ float rounded_up(double v) {
   return static_cast<double>(f) < v ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
 }
 
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+double load(const std::atomic<float>& v) {
+  return static_cast<double>(v.load(std::memory_order_relaxed));
+}
+dvec3 to_dvec3(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
+
+/// What a linear function, value + slope · q with q from the field's centre, is over a cell; a hair
+/// more, for rounding.
+struct Spread {
+  double lo, hi;
+};
+Spread spread_over(double value, const dvec3& g, const FieldDetail& cell, const dvec3& centre) {
+  const dvec3 q = cell.centre - centre;
+  const double middle = value + glm::dot(g, q);
+  const double rounding = 1e-14 * (std::abs(value) + glm::dot(glm::abs(g), glm::abs(q)));
+  const double radius = (1 + 1e-8) * glm::dot(glm::abs(g), cell.half) + rounding;
+  return {middle - radius, middle + radius};
+}
+
 void delete_halves(const FieldCell& cell) {
-  const FieldHalves* halves = cell.halves.load(std::memory_order_relaxed);
-  if (halves == nullptr) return;
-  for (const FieldCell& half : halves->cells) delete_halves(half);
-  delete halves;
+  const FieldLink link = cell.link.load(std::memory_order_relaxed);
+  if (link.state() != State::halved) return;
+  for (const FieldCell& half : link.halves().cells) delete_halves(half);
+  delete &link.halves();
 }
 
 /// The axis along which the function and its slope vary most over a cell, as far as is known; else
 /// the longest. What varies in slope counts twice: it is what keeps searches from being short.
-std::uint8_t axis_to_halve(const Trend& trend, const dvec3& half) {
+int axis_to_halve(const Trend& trend, const dvec3& half) {
   int best = 0;
   double most = -1;
   bool known = true;
@@ -40,13 +58,14 @@ std::uint8_t axis_to_halve(const Trend& trend, const dvec3& half) {
   }
   for (int k = 0; k < 3; ++k) {
     const Interval& d = trend.d[static_cast<std::size_t>(k)];
-    const double steepest = known ? std::max(std::abs(d.lo), std::abs(d.hi)) + 2 * (d.hi - d.lo) : 1;
+    const double steepest =
+        known ? std::max(std::abs(d.lo), std::abs(d.hi)) + 2 * (d.hi - d.lo) : 1;
     if (steepest * half[k] > most) {
       most = steepest * half[k];
       best = k;
     }
   }
-  return static_cast<std::uint8_t>(best);
+  return best;
 }
 
 }  // namespace
@@ -72,78 +91,141 @@ FunctionField::FunctionField(functions::FunctionRef function, double threshold, 
       box_(box),
       generator_(generator),
       has_bounds_(can_be_bounded(*function_)) {
-  root_.tape = function_.get();
-  if (has_bounds_) examine(root_, centre(), half(), 0, function_workspace(generator_));
+  if (!has_bounds_) return;
+  root_detail_.centre = centre();
+  root_detail_.half = half();
+  root_detail_.tape = function_.get();
+  examine(root_, root_detail_, function_workspace(generator_));
 }
 
 FunctionField::~FunctionField() { delete_halves(root_); }
 
-const FieldHalves& FunctionField::split(const FieldCell& cell, const dvec3& centre,
-                                        const dvec3& half, int depth) const {
+FieldLink FunctionField::split(const FieldCell& cell, FieldLink link) const {
   functions::Workspace& workspace = function_workspace(generator_);
   auto made = std::make_unique<FieldHalves>();
-  dvec3 part = half;
-  part[cell.axis] *= 0.5;
+  const FieldDetail& parent = link.detail();
+  const int k = link.axis();
+  made->plane = parent.centre[k];
+  const double bound = load(cell.above);
   for (std::size_t i = 0; i < 2; ++i) {
-    dvec3 middle = centre;
-    middle[cell.axis] += i == 0 ? -part[cell.axis] : part[cell.axis];
-    made->cells[i].tape = cell.tape;
-    examine(made->cells[i], middle, part, depth + 1, workspace);
+    FieldDetail& part = made->details[i];
+    part = parent;
+    part.half[k] *= 0.5;
+    part.centre[k] += i == 0 ? -part.half[k] : part.half[k];
+    part.depth = parent.depth + 1;
+    part.parent = &parent;
+    FieldCell& half = made->cells[i];
+    // What is known of the whole may do.
+    const Spread m =
+        spread_over(static_cast<double>(cell.value), to_dvec3(cell.slope), part, centre());
+    if (m.lo > bound) {
+      half.link = FieldLink(State::outside, 0, &part);
+    } else if (m.hi < -bound) {
+      half.link = FieldLink(State::inside, 0, &part);
+    } else {
+      examine(half, part, workspace);
+    }
   }
-  // Another thread may have been faster; its cells are the same.
-  const FieldHalves* expected = nullptr;
-  if (cell.halves.compare_exchange_strong(expected, made.get(), std::memory_order_acq_rel)) {
-    return *made.release();
+  const FieldLink halved(k, made.get());
+  if (cell.link.compare_exchange_strong(link, halved, std::memory_order_acq_rel)) {
+    made.release();
+    for (const FieldDetail* d = &parent; d != nullptr && tighten(*d); d = d->parent) {
+    }
+    return halved;
   }
-  return *expected;
+  return link;  // another thread was faster; its cells are the same
+}
+
+/// Draws the bounds of a halved cell together by those of its halves. False if there was next to
+/// nothing to gain.
+bool FunctionField::tighten(const FieldDetail& detail) const {
+  const FieldCell& cell = *detail.cell;
+  const FieldLink link = cell.link.load(std::memory_order_acquire);
+  const auto value = static_cast<double>(cell.value);
+  const dvec3 slope = to_dvec3(cell.slope);
+  double above = -infinite;
+  double below = infinite;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const FieldCell& half = link.halves().cells[i];
+    const FieldDetail& part = link.halves().details[i];
+    const State state = half.link.load(std::memory_order_acquire).state();
+    const Spread m = spread_over(value, slope, part, centre());
+    Spread lead = m;  // of m where the half leaves the sign open
+    if (state > State::outside) {
+      const Spread ahead = spread_over(value - static_cast<double>(half.value),
+                                       slope - to_dvec3(half.slope), part, centre());
+      lead.hi = std::min(m.hi, ahead.hi + load(half.above));
+      lead.lo = std::max(m.lo, ahead.lo + load(half.below));
+    }
+    if (state != State::outside) above = std::max(above, lead.hi);
+    if (state != State::inside) below = std::min(below, lead.lo);
+  }
+  const double old_above = load(cell.above);
+  const double old_below = load(cell.below);
+  above = std::min(above, old_above);
+  below = std::max(below, old_below);
+  if (!(old_above - above + below - old_below > 0.01 * (old_above - old_below))) return false;
+  cell.above.store(rounded_up(above), std::memory_order_relaxed);
+  cell.below.store(-rounded_up(-below), std::memory_order_relaxed);
+  return true;
 }
 
 /// Fills in what is known about a cell from the bounds of the function over it.
-void FunctionField::examine(FieldCell& cell, const dvec3& centre, const dvec3& half, int depth,
+void FunctionField::examine(FieldCell& cell, FieldDetail& detail,
                             functions::Workspace& workspace) const {
+  const dvec3& c = detail.centre;
+  detail.cell = &cell;
   // A hair wider, because the ray's points are rounded.
-  const dvec3 reach = half * (1 + 1e-9) + dvec3(1e-13 * glm::length(centre));
-  const std::array<Interval, 3> box{Interval{centre.x - reach.x, centre.x + reach.x},
-                                    Interval{centre.y - reach.y, centre.y + reach.y},
-                                    Interval{centre.z - reach.z, centre.z + reach.z}};
-  const Trend trend = functions::evaluate_trend(*cell.tape, box, workspace);
+  const dvec3 reach = detail.half * (1 + 1e-9) + dvec3(1e-13 * glm::length(c));
+  const std::array<Interval, 3> box{Interval{c.x - reach.x, c.x + reach.x},
+                                    Interval{c.y - reach.y, c.y + reach.y},
+                                    Interval{c.z - reach.z, c.z + reach.z}};
+  const auto set = [&](State state, int axis = 0) {
+    cell.link.store({state, axis, &detail}, std::memory_order_relaxed);
+  };
+  const Trend trend = functions::evaluate_trend(*detail.tape, box, workspace);
   if (!trend.v.nan) {
-    if (trend.v.hi <= threshold_) return void(cell.state = State::inside);
-    if (trend.v.lo > threshold_) return void(cell.state = State::outside);
+    if (trend.v.hi <= threshold_) return set(State::inside);
+    if (trend.v.lo > threshold_) return set(State::outside);
   }
-  double steepness = 0;
-  double variation = 0;
+  dvec3 slope(0.0);
+  dvec3 spread(0.0);
   bool known = !trend.v.nan;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Interval& d = trend.d[k];
+  for (int k = 0; k < 3; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const Interval& d = trend.d[i];
     known = known && !d.nan && d.is_bounded();
     if (!known) break;
-    cell.slope[k] = static_cast<float>(d.mid());
-    cell.spread[k] = rounded_up(std::max(d.hi - static_cast<double>(cell.slope[k]),
-                                         static_cast<double>(cell.slope[k]) - d.lo));
-    steepness += std::pow(static_cast<double>(cell.slope[k]), 2);
-    variation += std::pow(static_cast<double>(cell.spread[k]), 2);
+    cell.slope[i] = static_cast<float>(d.mid());
+    slope[k] = static_cast<double>(cell.slope[i]);
+    detail.spread[i] = rounded_up(std::max(d.hi - slope[k], slope[k] - d.lo));
+    spread[k] = static_cast<double>(detail.spread[i]);
   }
+  const double steepness = glm::dot(slope, slope);
+  const double variation = glm::dot(spread, spread);
   known = known && std::isfinite(steepness) && std::isfinite(variation);
   const bool smooth = known && variation <= smoothness * smoothness * steepness;
-  cell.state = smooth ? State::smooth : depth < depth_limit ? State::mixed : State::rough;
-  cell.error = std::numeric_limits<float>::infinity();
-  cell.axis = axis_to_halve(trend, half);
+  const State state = smooth                       ? State::smooth
+                      : detail.depth < field_depth ? State::whole
+                                                   : State::rough;
+  set(state, axis_to_halve(trend, detail.half));
+  cell.above = std::numeric_limits<float>::infinity();
+  cell.below = -std::numeric_limits<float>::infinity();
   if (!known) return;
-  cell.value = functions::evaluate(*cell.tape, std::array{centre.x, centre.y, centre.z}, workspace) -
-               threshold_;
-  double error = 1e-9 * std::abs(cell.value);
-  for (int k = 0; k < 3; ++k) {
-    error += static_cast<double>(cell.spread[static_cast<std::size_t>(k)]) * reach[k];
-  }
-  cell.error = rounded_up(error);
+  const double value =
+      functions::evaluate(*detail.tape, std::array{c.x, c.y, c.z}, workspace) - threshold_;
+  const dvec3 from_centre = c - centre();
+  const double at_centre = value - glm::dot(slope, from_centre);
+  cell.value = static_cast<float>(at_centre);
+  const double rounding = std::abs(at_centre - static_cast<double>(cell.value)) +
+                          1e-9 * std::abs(value) +
+                          1e-15 * glm::dot(glm::abs(slope), glm::abs(from_centre));
+  cell.above = rounded_up(rounding + glm::dot(spread, reach));
+  cell.below = -cell.above;
   // The linear bounds may settle what the range could not.
-  double swing = static_cast<double>(cell.error);
-  for (int k = 0; k < 3; ++k) {
-    swing += std::abs(static_cast<double>(cell.slope[static_cast<std::size_t>(k)])) * reach[k];
-  }
-  if (cell.value > swing) cell.state = State::outside;
-  if (cell.value < -swing) cell.state = State::inside;
+  const double swing = static_cast<double>(cell.above) + glm::dot(glm::abs(slope), reach);
+  if (value > swing) set(State::outside);
+  if (value < -swing) set(State::inside);
 }
 
 }  // namespace durer::tracer

@@ -19,33 +19,78 @@ namespace durer::tracer {
 /// False if some value in the function comes from outside and cannot be bounded over boxes.
 [[nodiscard]] bool can_be_bounded(const functions::Function& f);
 
+struct FieldCell;
 struct FieldHalves;
 
-/// Where a function lies in relation to a threshold, over a cell of space.
-struct FieldCell {
-  enum class State : std::uint8_t {
+/// Greatest number of halvings above a cell: some hundred cells along each edge of the box.
+inline constexpr int field_depth = 22;
+
+/// What is needed of a cell only where the surface may be inside it.
+struct alignas(32) FieldDetail {
+  dvec3 centre{0.0};
+  dvec3 half{0.0};
+  std::array<float, 3> spread{};  // the slope along axis k is slope[k] ± spread[k]
+  std::int32_t depth = 0;
+  /// The function, without what makes no difference in this cell.
+  const functions::Function* tape = nullptr;
+  const FieldCell* cell = nullptr;      // that this is about
+  const FieldDetail* parent = nullptr;  // the cell that this is half of
+};
+
+/// What kind of cell it is, and where to find more about it, in one word: cells of the same parent
+/// share a cache line.
+class FieldLink {
+ public:
+  enum class State : std::uintptr_t {
     inside,   // nowhere above the threshold
     outside,  // everywhere above it
     smooth,   // on both sides perhaps; the slopes are known well
     rough,    // likewise, but they are not, and the cell is as small as cells get
-    mixed,    // likewise, and it has halves, or will have
+    whole,    // likewise, and it will have halves when somebody comes by
+    halved,
   };
-  State state = State::rough;
-  std::uint8_t axis = 0;  // mixed: across which it is halved
-  /// At a point c + q of the cell, c its centre, the function lies within
-  /// value + slope · q ± error above the threshold; its slope along axis k is slope[k] ± spread[k].
-  float error = 0;
-  double value = 0;
+  FieldLink() = default;
+  FieldLink(State state, int axis, const FieldDetail* detail)
+      : word_(reinterpret_cast<std::uintptr_t>(detail) | static_cast<std::uintptr_t>(axis) << 3 |
+              static_cast<std::uintptr_t>(state)) {}
+  FieldLink(int axis, const FieldHalves* halves)
+      : word_(reinterpret_cast<std::uintptr_t>(halves) | static_cast<std::uintptr_t>(axis) << 3 |
+              static_cast<std::uintptr_t>(State::halved)) {}
+
+  [[nodiscard]] State state() const { return static_cast<State>(word_ & 7); }
+  /// Whole or halved: across which axis.
+  [[nodiscard]] int axis() const { return static_cast<int>(word_ >> 3 & 3); }
+  /// Smooth, rough or whole.
+  [[nodiscard]] const FieldDetail& detail() const {
+    return *reinterpret_cast<const FieldDetail*>(word_ & ~std::uintptr_t{31});
+  }
+  /// Halved.
+  [[nodiscard]] const FieldHalves& halves() const {
+    return *reinterpret_cast<const FieldHalves*>(word_ & ~std::uintptr_t{31});
+  }
+
+ private:
+  std::uintptr_t word_ = 0;
+};
+
+/// Where a function lies in relation to a threshold, over a cell of space. At a point c + q of the
+/// cell, c the centre of the whole field, let m be value + slope · q.
+struct FieldCell {
+  float value = 0;
   std::array<float, 3> slope{};
-  std::array<float, 3> spread{};
-  /// The function, without what makes no difference in this cell.
-  const functions::Function* tape = nullptr;
-  mutable std::atomic<const FieldHalves*> halves{nullptr};
+  /// Where m > above the point is outside, where m < below it is inside. A cell without halves has
+  /// above = -below = the greatest difference between m and the function. Both draw together when
+  /// more is known about the halves.
+  mutable std::atomic<float> above{0};
+  mutable std::atomic<float> below{0};
+  mutable std::atomic<FieldLink> link{};
 };
 
 /// The lower and the higher half of a cell.
 struct FieldHalves {
-  std::array<FieldCell, 2> cells;
+  alignas(64) std::array<FieldCell, 2> cells;
+  double plane = 0;  // the coordinate between them
+  std::array<FieldDetail, 2> details;
 };
 
 /// A function g(x, y, z) = f - threshold in a box. Cells depend on the function alone, not on who
@@ -66,21 +111,15 @@ class FunctionField {
   [[nodiscard]] const FieldCell& root() const { return root_; }
   [[nodiscard]] dvec3 centre() const { return (box_.lo + box_.hi) * 0.5; }
   [[nodiscard]] dvec3 half() const { return (box_.hi - box_.lo) * 0.5; }
-  /// The halves of a mixed cell, across its axis.
-  [[nodiscard]] const FieldHalves& halves(const FieldCell& cell, const dvec3& centre,
-                                          const dvec3& half, int depth) const {
-    const FieldHalves* made = cell.halves.load(std::memory_order_acquire);
-    return made != nullptr ? *made : split(cell, centre, half, depth);
-  }
+  /// Halves a whole cell; gives its link from then on.
+  FieldLink split(const FieldCell& cell, FieldLink link) const;
 
   /// True if the function can be bounded over boxes at all.
   [[nodiscard]] bool has_bounds() const { return has_bounds_; }
 
  private:
-  const FieldHalves& split(const FieldCell& cell, const dvec3& centre, const dvec3& half,
-                           int depth) const;
-  void examine(FieldCell& cell, const dvec3& centre, const dvec3& half, int depth,
-               functions::Workspace& workspace) const;
+  void examine(FieldCell& cell, FieldDetail& detail, functions::Workspace& workspace) const;
+  [[nodiscard]] bool tighten(const FieldDetail& detail) const;
 
   functions::FunctionRef function_;
   double threshold_;
@@ -88,6 +127,7 @@ class FunctionField {
   functions::NoiseGenerator generator_;
   bool has_bounds_ = true;
   FieldCell root_;
+  FieldDetail root_detail_;
 };
 
 }  // namespace durer::tracer

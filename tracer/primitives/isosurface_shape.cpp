@@ -13,7 +13,8 @@ namespace durer::tracer {
 IsosurfaceData::IsosurfaceData(std::shared_ptr<const scene::Isosurface> s,
                                functions::NoiseGenerator generator)
     : surface(std::move(s)),
-      field(surface->function, surface->threshold, surface->container.bounds(), generator) {}
+      field(surface->function, surface->threshold, surface->container.bounds(), generator),
+      differences(surface->function) {}
 
 void IsosurfaceData::note_slope(double slope) const {
   double known = steepest.load(std::memory_order_relaxed);
@@ -45,11 +46,8 @@ dvec3 IsosurfaceShape::normal(dvec3 p, std::uint32_t part) const {
   const scene::Isosurface& s = *data_->surface;
   if (part != 0) return face_normal(s.container, p, part);
   functions::Workspace& w = function_workspace(data_->field.generator());
-  functions::Evaluator<double> f(*s.function, w);
-  const double here = f(std::array{p.x, p.y, p.z});
-  const dvec3 n(f(std::array{p.x + s.accuracy, p.y, p.z}) - here,
-                f(std::array{p.x, p.y + s.accuracy, p.z}) - here,
-                f(std::array{p.x, p.y, p.z + s.accuracy}) - here);
+  const auto [here, x, y, z] = data_->differences(p, s.accuracy, w);
+  const dvec3 n(x - here, y - here, z - here);
   return n == dvec3(0.0) || !(glm::dot(n, n) > 0) ? dvec3(1, 0, 0) : n;
 }
 

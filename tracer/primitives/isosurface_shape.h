@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "functions/differences.h"
 #include "scene/function_surface.h"
 #include "tracer/primitives/function_field.h"
 #include "tracer/primitives/typed_store.h"
@@ -17,6 +18,7 @@ struct IsosurfaceData {
 
   std::shared_ptr<const scene::Isosurface> surface;
   FunctionField field;
+  functions::Differences differences;
   mutable std::atomic<double> steepest{0};
 };
 /// Made once, however often it is asked for, as long as anybody holds it.
