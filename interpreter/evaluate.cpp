@@ -15,7 +15,8 @@ namespace durer::interpreter {
 
 namespace w = grammar::words;
 
-// ---- arithmetic (language §2.4, §2.5) ------------------------------------------------------------
+// ---- arithmetic (language §2.4, §2.5)
+// ------------------------------------------------------------
 //
 // Numbers are worked out in place: `double* v` has room for five components, and a function returns
 // how many of them count. The slots beyond keep what they held, which the language can see (§2.4).
@@ -92,8 +93,7 @@ void Interpreter::warn_division(Span span) {
 }
 
 Num Interpreter::binary(ast::Op op, Num left, Num right, Span span) {
-  left.length =
-      apply_binary(op, left.v.data(), left.length, right.v.data(), right.length, span);
+  left.length = apply_binary(op, left.v.data(), left.length, right.v.data(), right.length, span);
   return left;
 }
 
@@ -265,21 +265,22 @@ int Interpreter::work_out(const ast::Tree& tree, ast::ExprId id, int want, doubl
   return work_out_closed(tree, e, want, v);
 }
 
-Formula& Interpreter::formula_for(const ast::Tree& tree, ast::ExprId id) {
+/// Compiles the formula of an expression that has been met for the first time.
+Formula& Interpreter::new_formula(const ast::Tree& tree, ast::ExprId id) {
   std::vector<Formula*>& formulas = formulas_of_[tree.file];
   if (formulas.empty()) formulas.resize(tree.exprs.size());
-  Formula*& formula = formulas[id];
-  if (formula != nullptr) return *formula;
   const FormulaContext context{env_, static_cast<float>(options_.clock), !options_.on_trace};
   Formula code = compile_formula(context, tree, id);
-  formula = code.ops.empty() ? &no_formula_ : &formulas_.emplace_back(std::move(code));
-  return *formula;
+  formulas[id] = code.ops.empty() ? &no_formula_ : &formulas_.emplace_back(std::move(code));
+  return *formulas[id];
 }
 
 const Operand* Interpreter::quick(const ast::Tree& tree, ast::ExprId id, int want) {
   // What runs once is not worth compiling, and a single operand is as quick to look up.
   if (repeats_ == 0 || tree.exprs[id].height < 2 || version() < 150) return nullptr;
-  Formula& formula = formula_for(tree, id);
+  const std::vector<Formula*>& formulas = formulas_of_[tree.file];
+  Formula* const known = formulas.empty() ? nullptr : formulas[id];
+  Formula& formula = known != nullptr ? *known : new_formula(tree, id);
   if (formula.ops.empty()) return nullptr;
   if (formula.calls_functions) workspace_.context.noise_generator = noise_generator();
   if (const Operand* result = machine_.run(formula, want)) {
@@ -383,15 +384,13 @@ int Interpreter::work_out_closed(const ast::Tree& tree, const ast::Expr& e, int 
 }
 
 /// The right side of an operator: what lies beyond its length is of no interest.
-int Interpreter::work_out_operand(const ast::Tree& tree, const ast::Expr& e, int want,
-                                  double* v) {
+int Interpreter::work_out_operand(const ast::Tree& tree, const ast::Expr& e, int want, double* v) {
   if (const auto* n = std::get_if<ast::Number>(&e.node)) return fill(n->value, want, v);
   v[1] = v[2] = v[3] = v[4] = 0;
   return work_out_closed(tree, e, want, v);
 }
 
-int Interpreter::work_out_relation(const ast::Tree& tree, const ast::Expr& e, int want,
-                                   double* v) {
+int Interpreter::work_out_relation(const ast::Tree& tree, const ast::Expr& e, int want, double* v) {
   const auto& b = *std::get_if<ast::Binary>(&e.node);
   if (is_text(tree, b.left)) {
     return fill(compare(b.op, evaluate_text(tree, b.left), evaluate_text(tree, b.right)), want, v);

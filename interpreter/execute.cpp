@@ -20,6 +20,10 @@ void Interpreter::execute(const ast::Tree& tree, const ast::Item& item) {
 }
 
 Interpreter::Flow Interpreter::run_directive(const ast::Tree& tree, const ast::Directive& d) {
+  if (const auto* declare = std::get_if<ast::Declare>(&d.node)) {  // by far the commonest
+    run(tree, d, *declare);
+    return Flow::normal;
+  }
   return std::visit(
       [&](const auto& node) {
         using Node = std::decay_t<decltype(node)>;

@@ -291,7 +291,7 @@ class Interpreter {
   int work_out(const ast::Tree& tree, ast::ExprId id, int want, double* v);
   /// The compiled way to a value (formula.h), valid until the next; null if there is none here.
   const Operand* quick(const ast::Tree& tree, ast::ExprId id, int want);
-  Formula& formula_for(const ast::Tree& tree, ast::ExprId id);
+  Formula& new_formula(const ast::Tree& tree, ast::ExprId id);
   int work_out_full(const ast::Tree& tree, ast::ExprId id, int want, double* v);
   double work_out_float(const ast::Tree& tree, ast::ExprId id, std::string_view what);
   int work_out_closed(const ast::Tree& tree, const ast::Expr& e, int want, double* v);
