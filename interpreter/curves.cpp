@@ -12,10 +12,7 @@ namespace w = grammar::words;
 
 /// Objects that their operand table does not describe; nothing for the others.
 scene::Object Interpreter::read_listed(std::uint32_t type, const Token& word) {
-  scene::Object o;
-  o.kind = scene::NodeKind::primitive;
-  o.type = type;
-  o.origin = origin(word.span);
+  scene::Object o = primitive(type, word);
   ObjectReader reader(*this, o, word);
   switch (word.word) {
     case w::bicubic_patch: reader.bicubic_patch(); break;

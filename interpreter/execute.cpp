@@ -1,5 +1,5 @@
-// What directives do: conditions, loops, switches, messages, versions. Names, macros and arrays are
-// in declare.cpp and macro.cpp, files in include.cpp.
+// What directives do: conditions, loops, switches, messages, versions. Names are in
+// declare.cpp, macro calls in macros.cpp, files in include.cpp.
 #include <cmath>
 
 #include <fmt/format.h>

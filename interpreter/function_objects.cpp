@@ -82,10 +82,7 @@ scene::Object Interpreter::read_isosurface(std::uint32_t type, const Token& word
       break;
     }
   }
-  scene::Object o;
-  o.kind = scene::NodeKind::primitive;
-  o.type = type;
-  o.origin = origin(word.span);
+  scene::Object o = primitive(type, word);
   o.extras.edit().isosurface = std::make_shared<const scene::Isosurface>(std::move(s));
   return o;
 }
@@ -134,10 +131,7 @@ scene::Object Interpreter::read_parametric(std::uint32_t type, const Token& word
       break;
     }
   }
-  scene::Object o;
-  o.kind = scene::NodeKind::primitive;
-  o.type = type;
-  o.origin = origin(word.span);
+  scene::Object o = primitive(type, word);
   o.extras.edit().parametric = std::make_shared<const scene::Parametric>(std::move(s));
   return o;
 }

@@ -345,10 +345,7 @@ scene::Object Interpreter::finish_mesh(std::uint32_t type, const Token& word,
   if (builder.zero_normals) {
     warn(Code::degenerate, word.span, "a normal of this mesh is <0, 0, 0>; x is used instead");
   }
-  scene::Object o;
-  o.kind = scene::NodeKind::primitive;
-  o.type = type;
-  o.origin = origin(word.span);
+  scene::Object o = primitive(type, word);
   o.extras.edit().mesh = std::make_shared<const scene::Mesh>(builder.finish());
   return o;
 }
