@@ -338,7 +338,7 @@ void Interpreter::default_block() {
     } else if (t.is(grammar::words::camera)) {
       default_camera_ = read_camera(t.span);
     } else if (t.is(grammar::words::radiosity)) {
-      not_supported("radiosity in #default", t.span);
+      default_importance_ = read_importance(t);
     } else {
       unexpected(t, "`texture`, `pigment`, `normal`, `finish` or `camera` in `#default`");
     }

@@ -43,6 +43,8 @@ scene::Finish Interpreter::read_finish(scene::Finish f) {
         f.diffuse_back = 0;
         optional_comma();
         if (starts_number(peek())) f.diffuse_back = number();
+        f.indirect = f.diffuse;
+        f.indirect_back = f.diffuse_back;
         break;
       case w::brilliance: f.brilliance = number(); break;
       case w::phong:

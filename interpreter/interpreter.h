@@ -558,6 +558,11 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   void read_global_settings(Span span);
   void read_background();
   scene::SkySphere read_sky_sphere(Span span);
+  void read_radiosity(const Token& word);
+  double read_radiosity_number(const Token& word, double lo, bool lo_excluded, double hi);
+  void read_radiosity_count(scene::Radiosity& r, const Token& word);
+  void check_reuse(scene::Radiosity& r, bool minimum_given, bool maximum_given, Span span);
+  float read_importance(const Token& word);
   void read_max_trace_level(const Token& word);
   void read_assumed_gamma(const Token& word);
   void finish_settings();
@@ -662,6 +667,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   scene::TextureId plain_base_ = scene::none;  // the last one that was found to be plain
   scene::TextureId own_texture_ = scene::none;  // made by the object statement being read
   std::shared_ptr<const CameraSpec> default_camera_;
+  float default_importance_ = 1;  // of objects, for radiosity
   std::shared_ptr<const CameraSpec> camera_;
   int declared_version_ = 370;
   bool version_given_ = false;

@@ -107,6 +107,7 @@ scene::ObjectId Interpreter::add_object(scene::Object object) {
     depth = std::max<std::uint32_t>(depth, object_depths_[child] + 1U);
   }
   check_depth(object, depth);
+  if (object.importance == 0 && default_importance_ != 1) object.importance = default_importance_;
   object_depths_.push_back(static_cast<std::uint16_t>(depth));
   scene_.objects.push_back(std::move(object));
   return static_cast<scene::ObjectId>(scene_.objects.size() - 1);
@@ -333,11 +334,7 @@ bool Interpreter::object_modifier(scene::Object& o, const Token& t) {
       skip_block();
       return true;
     }
-    case w::radiosity: {
-      expect_open("radiosity");
-      skip_block();
-      return true;
-    }
+    case w::radiosity: o.importance = read_importance(t); return true;
     case w::color:
     case w::colour:
       unread(t);

@@ -75,6 +75,7 @@ struct Fields<Object> {
       field("no_radiosity", &Object::no_radiosity),
       field("double_illuminate", &Object::double_illuminate),
       field("sturm", &Object::sturm),
+      field("importance", &Object::importance),
       field("hollow", &Object::hollow),
       field("uv_mapping", &Object::uv_mapping),
       field("type", &Object::type, Role::primitive),
@@ -181,6 +182,30 @@ struct Fields<SkySphere> {
 };
 
 template <>
+struct Fields<Radiosity> {
+  static constexpr std::tuple all{field("count", &Radiosity::count),
+                                  field("pool", &Radiosity::pool),
+                                  field("recursion_limit", &Radiosity::recursion_limit),
+                                  field("error_bound", &Radiosity::error_bound),
+                                  field("low_error_factor", &Radiosity::low_error_factor),
+                                  field("nearest_count", &Radiosity::nearest_count),
+                                  field("adaptive_count", &Radiosity::adaptive_count),
+                                  field("minimum_reuse", &Radiosity::minimum_reuse),
+                                  field("maximum_reuse", &Radiosity::maximum_reuse),
+                                  field("gray_threshold", &Radiosity::gray_threshold),
+                                  field("brightness", &Radiosity::brightness),
+                                  field("max_sample", &Radiosity::max_sample),
+                                  field("adc_bailout", &Radiosity::adc_bailout),
+                                  field("pretrace_start", &Radiosity::pretrace_start),
+                                  field("pretrace_end", &Radiosity::pretrace_end),
+                                  field("always_sample", &Radiosity::always_sample),
+                                  field("normal", &Radiosity::normal),
+                                  field("media", &Radiosity::media),
+                                  field("subsurface", &Radiosity::subsurface),
+                                  field("background_importance", &Radiosity::background_importance)};
+};
+
+template <>
 struct Fields<Settings> {
   static constexpr std::tuple all{field("adc_bailout", &Settings::adc_bailout),
                                   field("max_trace_level", &Settings::max_trace_level),
@@ -189,6 +214,7 @@ struct Fields<Settings> {
                                   field("noise_generator", &Settings::noise_generator),
                                   field("number_of_waves", &Settings::number_of_waves),
                                   field("mm_per_unit", &Settings::mm_per_unit),
+                                  field("radiosity", &Settings::radiosity),
                                   field("gamma_mode", &Settings::gamma_mode),
                                   field("assumed_gamma", &Settings::assumed_gamma),
                                   field("effective_version", &Settings::effective_version),
@@ -243,6 +269,8 @@ struct Fields<Finish> {
                                   field("emission", &Finish::emission),
                                   field("diffuse", &Finish::diffuse),
                                   field("diffuse_back", &Finish::diffuse_back),
+                                  field("indirect", &Finish::indirect),
+                                  field("indirect_back", &Finish::indirect_back),
                                   field("brilliance", &Finish::brilliance),
                                   field("phong", &Finish::phong),
                                   field("phong_size", &Finish::phong_size),

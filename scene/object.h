@@ -59,6 +59,7 @@ struct Object {
   bool no_radiosity = false;
   bool double_illuminate = false;
   bool sturm = false;
+  float importance = 0;  // of radiosity, 0…1; 0: not said, that of the object around, or 1
   std::optional<bool> hollow;
   /// Textures are looked up at (u, v, 0) and stay where they are when the object is moved.
   bool uv_mapping = false;

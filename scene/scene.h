@@ -13,6 +13,7 @@
 #include "base/gamma.h"
 #include "scene/object.h"
 #include "scene/origin.h"
+#include "scene/radiosity.h"
 #include "scene/texture.h"
 
 namespace durer::scene {
@@ -71,6 +72,7 @@ struct Settings {
   int noise_generator = 0;   // 1, 2 or 3; the interpreter resolves the default
   int number_of_waves = 10;  // sources of the `waves` and `ripples` patterns
   double mm_per_unit = 10;   // scale of subsurface light transport
+  std::optional<Radiosity> radiosity;
   GammaMode gamma_mode = GammaMode::off;
   GammaCurve assumed_gamma;  // meaning of scene numbers; identity curve in mode `off`
   /// Hundredths; decides opacity, sky and gamma rules at render time (shading §1.1).

@@ -48,6 +48,9 @@ struct Finish {
   vec3 emission{0.0F};
   float diffuse = 0.6F;
   float diffuse_back = 0;
+  // Both as they are written: `albedo` does not change what indirect light does.
+  float indirect = 0.6F;
+  float indirect_back = 0;
   float brilliance = 1;
   float phong = 0;
   float phong_size = 40;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "tracer/compile.h"
@@ -11,6 +12,7 @@
 #include "tracer/shading/interior.h"
 #include "tracer/shading/sky.h"
 #include "tracer/shading/texture.h"
+#include "tracer/transport/radiosity.h"
 
 namespace durer::tracer {
 
@@ -26,13 +28,16 @@ struct SurfaceProgram {
 
 struct CompiledScene {
   CompiledScene(const scene::Scene& s, Geometry g, Quality q)
-      : scene(&s), quality(q), geometry(std::move(g)), textures(s, q), sky(s) {}
+      : scene(&s), quality(q), geometry(std::move(g)), textures(s, q), sky(s) {
+    if (s.settings.radiosity && q.radiosity) radiosity.emplace(s);
+  }
 
   const scene::Scene* scene;
   Quality quality;
   Geometry geometry;
   TextureStore textures;
   Sky sky;
+  std::optional<RadiosityProgram> radiosity;
   std::vector<SurfaceProgram> surfaces;  // parallel to geometry.surfaces()
   std::vector<ProgramId> part_textures;
   std::vector<Interior> interiors;       // parallel to geometry.interiors()

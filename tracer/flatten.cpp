@@ -28,7 +28,8 @@ struct Context {
   bool muted = false;       // part of a clip
   bool splits = true;       // a plain union here falls apart into its children
   bool flags_count = true;  // inside an intersection the flags of children do not (objects §9.2)
-  std::uint8_t mask = seen_by_image | seen_by_reflection | casts_shadow;
+  std::uint8_t mask = seen_by_image | seen_by_reflection | casts_shadow | seen_by_gathering;
+  float importance = 1;
   bool double_illuminate = false;
   std::optional<bool> hollow;
   scene::TextureUse texture{none, {}};  // texture space → world
@@ -132,7 +133,9 @@ class Flattener {
       if (object.no_image) own.mask &= static_cast<std::uint8_t>(~seen_by_image);
       if (object.no_reflection) own.mask &= static_cast<std::uint8_t>(~seen_by_reflection);
       if (object.no_shadow) own.mask &= static_cast<std::uint8_t>(~casts_shadow);
+      if (object.no_radiosity) own.mask &= static_cast<std::uint8_t>(~seen_by_gathering);
     }
+    if (object.importance > 0) own.importance = object.importance;
     if (!own.scenery) return own;
     const auto place = [&](const scene::TextureUse& use, scene::TextureUse& to) {
       if (use.texture == none) return;
@@ -174,7 +177,7 @@ class Flattener {
         report(object, fmt::format("`uv_mapping` of a `{}`", primitive_infos()[object.type]->name));
       }
       part.leaf = static_cast<std::uint32_t>(flat_.leaves.size());
-      flat_.leaves.push_back({surfaces_.add(surface), own.interior, object.origin});
+      flat_.leaves.push_back({surfaces_.add(surface), own.interior, object.origin, own.importance});
     }
     flat_.parts.push_back(part);
     return add_node({Op::leaf, static_cast<std::uint32_t>(flat_.parts.size() - 1), {}});

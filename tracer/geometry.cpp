@@ -14,6 +14,7 @@ std::uint8_t mask_of(RayKind kind) {
     case RayKind::image: return seen_by_image;
     case RayKind::reflection: return seen_by_reflection;
     case RayKind::shadow: return casts_shadow;
+    case RayKind::gathering: return seen_by_gathering;
   }
   return 0;
 }

@@ -24,6 +24,7 @@ struct Leaf {
   std::uint32_t surface = 0;   // index into Geometry::surfaces()
   std::uint32_t interior = 0;  // index into Geometry::interiors(): the *instance*, compared by id
   scene::OriginId origin = 0;
+  float importance = 1;  // to rays that gather indirect light, 0…1
 };
 
 /// What a leaf looks like. Transforms are resolved: texture space → world.
@@ -59,6 +60,7 @@ enum class RayKind : std::uint8_t {
   image,       // camera rays and what they see by transmission
   reflection,  // rays that were reflected at least once
   shadow,
+  gathering,  // rays that gather indirect light, and all that follow from them
 };
 
 /// Buffers of one thread; geometry queries allocate nothing once these have grown.

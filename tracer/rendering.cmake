@@ -11,8 +11,8 @@ durer_library(tracer
     shading/finish.cpp shading/interior.cpp shading/normal.cpp shading/pigment.cpp shading/sky.cpp shading/spectrum.cpp
     shading/texture.cpp
     lights/light.cpp
-    transport/light.cpp transport/surface.cpp transport/texture_parts.cpp transport/trace.cpp
-    film/antialias.cpp film/jitter.cpp film/progress.cpp film/render.cpp
+    transport/irradiance_cache.cpp transport/light.cpp transport/radiosity.cpp transport/surface.cpp transport/texture_parts.cpp transport/trace.cpp
+    film/antialias.cpp film/jitter.cpp film/pretrace.cpp film/progress.cpp film/render.cpp
   LINKS durer::geometry durer::scene durer::functions
   PRIVATE_LINKS TBB::tbb fmt::fmt)
 if(TARGET durer::image)

@@ -1,10 +1,6 @@
 // The picture: blocks to threads, samples to pixels (shading §2.3, §3).
 #include "tracer/render.h"
 
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <atomic>
 #include <thread>
@@ -13,7 +9,9 @@
 #include "tracer/cameras/perspective.h"
 #include "tracer/cameras/user_defined.h"
 #include "tracer/film/adaptive.h"
+#include "tracer/film/pretrace.h"
 #include "tracer/film/progress.h"
+#include "tracer/film/threads.h"
 #include "tracer/transport/trace.h"
 
 namespace durer::tracer {
@@ -83,6 +81,15 @@ class BlockRenderer {
         antialias_(antialias_options(scene, options)),
         adaptive_(antialias_options(scene, options)) {}
 
+  /// Before each block: what is known of indirect light. `id` tells the blocks apart.
+  void begin(const IrradianceCache& cache, std::uint32_t id) {
+    if (!scene_->radiosity) return;
+    const auto pool = static_cast<std::uint32_t>(scene_->radiosity->directions.size());
+    scratch_.radiosity.begin(&cache, true, ~id, pool);
+  }
+  void probe(double x, double y) { sample(x, y, 0); }
+  [[nodiscard]] RadiosityState& radiosity() { return scratch_.radiosity; }
+
   void render(const Block& block) {
     const auto take = [this](double x, double y, std::uint32_t i) { return sample(x, y, i); };
     const auto put = [this](int x, int y, const Pixel& p) { store(x, y, p); };
@@ -134,26 +141,52 @@ class BlockRenderer {
   AdaptiveAntialias adaptive_;
 };
 
+std::vector<PretraceTile> tiles_of(const Block& part) {
+  constexpr int size = 32;
+  std::vector<PretraceTile> tiles;
+  for (int y = part.top; y < part.bottom; y += size) {
+    for (int x = part.left; x < part.right; x += size) {
+      tiles.push_back({static_cast<std::uint32_t>(tiles.size()),
+                       {{double(x), double(y), double(std::min(x + size, part.right)),
+                         double(std::min(y + size, part.bottom))}}});
+    }
+  }
+  return tiles;
+}
+
+// The cache of indirect light, filled by the passes before the picture.
+template <typename Camera>
+IrradianceCache gather_light(const CompiledScene& scene, const RenderOptions& options, int threads,
+                             ProgressMeter& meter, image::Image& image) {
+  if (!scene.radiosity) return {};
+  Pretrace<BlockRenderer<Camera>> pretrace(*scene.radiosity, tiles_of(part_of(options)),
+                                           std::max(options.width, options.height));
+  pretrace.run(
+      threads, [&] { return std::make_unique<BlockRenderer<Camera>>(scene, options, image); }, meter);
+  return std::move(pretrace).cache();
+}
+
 // Threads take the next block in row-major order until none is left, past those already done.
 template <typename Camera>
 void render_blocks(const CompiledScene& scene, const RenderOptions& options,
                    const std::vector<Block>& blocks, int threads, ProgressMeter& meter,
                    image::Image& image, std::vector<std::atomic<bool>>* done) {
+  const IrradianceCache cache =
+      gather_light<Camera>(scene, options, threads, meter, image);
   std::atomic<std::size_t> next{0};
   const auto work = [&](int) {
     BlockRenderer<Camera> renderer(scene, options, image);
     std::uint64_t counted = 0;
     for (std::size_t i = next++; i < blocks.size() && !meter.cancelled(); i = next++) {
       if (done && (*done)[i]) continue;
+      renderer.begin(cache, static_cast<std::uint32_t>(i));
       renderer.render(blocks[i]);
       if (done) (*done)[i].store(true, std::memory_order_release);
       meter.add(pixels_of(blocks[i]), renderer.rays() - counted);
       counted = renderer.rays();
     }
   };
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-  tbb::task_arena arena(threads);
-  arena.execute([&] { tbb::parallel_for(0, threads, work, tbb::simple_partitioner()); });
+  on_threads(threads, work);
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ enum Visibility : std::uint8_t {
   seen_by_reflection = 2,
   casts_shadow = 4,
   blocks_light = 8,  // casts shadow and is opaque: no light passes at all
+  seen_by_gathering = 16,
 };
 
 /// What hangs on a primitive besides its shape. Read only after the shape was hit.

@@ -89,9 +89,13 @@ std::uint32_t TextureStore::finishes_of(scene::TextureId id) {
       first_finish_.try_emplace(id, static_cast<std::uint32_t>(finishes_.size()));
   if (is_new) {
     const scene::Settings& settings = scene_->settings;
+    // Light that is gathered takes the place of light that is assumed (participating §2.2).
+    const bool gathered =
+        settings.radiosity && quality_.radiosity && settings.effective_version >= 370;
+    const vec3 ambient = gathered ? vec3(0.0F) : settings.ambient_light;
     for (const scene::Layer& layer : scene_->textures[id].layers) {
       finishes_.push_back(
-          compile_finish(*layer.finish, settings.ambient_light, settings.irid_wavelength));
+          compile_finish(*layer.finish, ambient, settings.irid_wavelength));
     }
   }
   return known->second;

@@ -25,13 +25,15 @@ vec3 Tracer::illuminate(const View& view, const Path& path, const LayerPoint& la
       lamp.shadowed = shadowed(light, lamp.in, view.p, path.inside);
       lamp.shadow_known = true;
     }
-    if (!dark(lamp.shadowed)) sum += shade(view, layer, light, lamp, behind);
+    if (!dark(lamp.shadowed)) {
+      sum += shade(view, layer, light, lamp, behind, path.bounce == 0);
+    }
   }
   return sum;
 }
 
 vec3 Tracer::shade(const View& view, const LayerPoint& layer, const Light& light,
-                   const LampAtPoint& lamp, bool backside) {
+                   const LampAtPoint& lamp, bool backside, bool highlights) {
   const Finish& f = *layer.finish;
   const dvec3 l = lamp.in.l;
   const double cosine = glm::dot(layer.n, l);
@@ -44,7 +46,7 @@ vec3 Tracer::shade(const View& view, const LayerPoint& layer, const Light& light
     if (f.crand > 0) intensity -= next_noise(scratch_->noise) * f.crand;
     sum = intensity * layer.pigment * lamp.shadowed;
   }
-  if (f.highlights && !backside && !light.shadowless) {
+  if (f.highlights && highlights && !backside && !light.shadowless) {
     sum += highlight(f, view.d, layer.n, l, layer.pigment) * lamp.shadowed;
   }
   if (f.irid > 0) sum *= iridescence(f, cosine, glm::dot(layer.n, view.d));
@@ -91,7 +93,7 @@ vec3 Tracer::shadow_factor(const Hit& hit, dvec3 l, const Containment& inside) c
   vec3 sum(0.0F);
   for (std::uint32_t i = 0; i < seen.blend.count; ++i) {
     const TextureBlend::Part& part = seen.blend.parts[i];
-    if (part.weight < adc_) continue;
+    if (part.weight < limits_[0].adc) continue;
     View view = seen.view;
     dress(view, seen, hit, part.texture);
     sum += part.weight * shadow_factor(view, inside);

@@ -50,7 +50,7 @@ Tracer::Step Tracer::surface(const View& view, Path& path) {
   Step step;
   step.colour = layers.colour;
   // Reflections need the path as it arrived; transmission turns it into the one behind.
-  const bool see_through = quality_.transparency && layers.sigma > adc_;
+  const bool see_through = quality_.transparency && layers.sigma > limits(path).adc;
   if (scratch_->reflections.size() == first) {
     if (see_through) transmit(view, layers, path, step);
     return step;
@@ -72,8 +72,11 @@ Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
   LayerSum sum;
   SurfaceView seen{view.p, view.d, view.g};
   const std::uint32_t first = view.texture->first_layer;
+  const bool gathers =
+      scene_->radiosity && path.bounce < scene_->radiosity->bounces.size();
+  Indirect around;
   bool first_lit = true;  // layers may ignore the lights that others need
-  for (std::uint32_t i = first; i < view.texture->end_layer && sum.sigma > adc_; ++i) {
+  for (std::uint32_t i = first; i < view.texture->end_layer && sum.sigma > limits(path).adc; ++i) {
     const LayerProgram& program = textures.layer(i);
     const dvec3 n = program.normal == scene::none ? view.g : bend(view, program, seen);
     if (i == first) sum.top = n;
@@ -92,6 +95,10 @@ Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
     if (f.lit) {
       light += illuminate(view, path, layer, first_lit);
       first_lit = false;
+    }
+    if (gathers && (f.indirect != 0 || f.indirect_back != 0)) {
+      light += indirect_part(view, path, layer, sum.through, around);
+      first_lit = true;  // gathering lights other surfaces
     }
     sum.colour += light * sum.through;
     sum.through *= c.transmission();

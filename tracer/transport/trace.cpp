@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
 
 namespace durer::tracer {
 
@@ -15,12 +16,18 @@ Scratch::Scratch(const CompiledScene& scene)
 Tracer::Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha)
     : scene_(&scene),
       scratch_(&scratch),
-      max_level_(std::clamp(scene.scene->settings.max_trace_level, 1, 256)),
-      adc_(scene.scene->settings.adc_bailout),
       alpha_(alpha),
       legacy_opacity_(scene.scene->settings.effective_version < 370),
       translucent_shadows_(scene.geometry.has_translucent_shadows()),
-      quality_(scene.quality) {}
+      quality_(scene.quality) {
+  const scene::Settings& settings = scene.scene->settings;
+  limits_.fill({std::clamp(settings.max_trace_level, 1, 256), settings.adc_bailout});
+  if (!scene.radiosity) return;
+  const RadiosityProgram& r = *scene.radiosity;
+  for (std::size_t i = 0; i < r.bounces.size(); ++i) {
+    limits_[i + 1] = {r.bounces[i].max_level, static_cast<float>(r.settings.adc_bailout)};
+  }
+}
 
 // Transmitted rays are followed in the loop rather than by recursion: straight ones do not count as
 // a level, so that a ray may pass any number of them.
@@ -29,13 +36,21 @@ Radiance Tracer::follow(Path path, bool straight) {
   vec3 through(1.0F);
   float transmittance = 1;
   for (;;) {
-    if (path.level >= max_level_ || path.weight < adc_) return {sum, 0};
-    const RayKind kind = path.reflected ? RayKind::reflection : RayKind::image;
+    const Limits& limit = limits(path);
+    if (path.level >= limit.max_level || path.weight < limit.adc) return {sum, 0};
+    const RayKind kind = path.bounce > 0    ? RayKind::gathering
+                         : path.reflected ? RayKind::reflection
+                                          : RayKind::image;
     Hit hit;
     ++scratch_->rays;
     if (!scene_->geometry.closest(path.ray, t_min, no_hit_depth, kind, hit, *scratch_->geometry)) {
-      const Sky::Seen s = scene_->sky.at(path.ray.d, path.reflected || !alpha_);
+      const Sky::Seen s = scene_->sky.at(path.ray.d, path.reflected || path.bounce > 0 || !alpha_);
       return {sum + through * s.colour, transmittance * s.transmittance};
+    }
+    if (FirstHit* first = std::exchange(path.first, nullptr); first != nullptr) {
+      first->distance = hit.t;
+      first->importance = scene_->geometry.leaves()[hit.leaf].importance;
+      if (first->importance < first->least_importance) return {};
     }
     if (!straight) ++path.level;
     Look seen = look(hit, path.ray.d);
@@ -64,7 +79,7 @@ Radiance Tracer::blend(const Look& look, const Hit& hit, const Path& path) {
   Radiance sum;
   for (std::uint32_t i = 0; i < look.blend.count; ++i) {
     const TextureBlend::Part& part = look.blend.parts[i];
-    if (part.weight < adc_) continue;
+    if (part.weight < limits(path).adc) continue;
     View view = look.view;
     dress(view, look, hit, part.texture);
     const Radiance r = shown(view, path);

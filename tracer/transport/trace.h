@@ -3,13 +3,22 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "tracer/compiled_scene.h"
 #include "tracer/primitives/store.h"
+#include "tracer/transport/radiosity.h"
 
 namespace durer::tracer {
+
+/// What a ray that gathers indirect light tells of the first surface that it meets.
+struct FirstHit {
+  double distance = std::numeric_limits<double>::infinity();
+  float least_importance = 0;  // surfaces of less are not looked at
+  float importance = 1;        // that of the surface
+};
 
 /// A ray with its history.
 struct Path {
@@ -19,6 +28,8 @@ struct Path {
   bool reflected = false;
   double wavelength = 0;  // nm; 0: white light
   Containment inside;     // bodies that the ray is inside of
+  std::uint32_t bounce = 0;   // of indirect light; above 0: the ray gathers some
+  FirstHit* first = nullptr;  // who wants to know of the next surface, if somebody does
 };
 
 /// Premultiplied colour, and the share of what lies behind that shines through.
@@ -52,6 +63,7 @@ struct Scratch {
   std::vector<LampAtPoint> lamps;       // parallel to the scene's lights
   std::vector<Reflection> reflections;  // a stack
   std::vector<std::uint32_t> containing;
+  RadiosityState radiosity;
 };
 
 /// Traces rays of one thread.
@@ -122,6 +134,23 @@ class Tracer {
   [[nodiscard]] Step surface(const View& view, Path& path);
   [[nodiscard]] LayerSum sum_layers(const View& view, const Path& path);
   [[nodiscard]] float opacity(const Colour& c) const;
+  // Indirect light.
+  struct Gathered {
+    dvec3 light{0.0};
+    double quality = 0;
+  };
+  // That of one surface; its layers share it.
+  struct Indirect {
+    vec3 front{0.0F};
+    vec3 back{0.0F};
+    bool front_known = false;
+    bool back_known = false;
+  };
+  [[nodiscard]] vec3 indirect_part(const View& view, const Path& path, const LayerPoint& layer,
+                                   vec3 through, Indirect& known);
+  [[nodiscard]] vec3 indirect(const View& view, dvec3 layer_normal, float weight,
+                              std::uint32_t depth);
+  [[nodiscard]] Gathered gather(dvec3 p, dvec3 raw, dvec3 n, std::uint32_t depth);
   vec3 remember_reflection(const View& view, const Path& path, const LayerPoint& layer,
                            float sigma);
   void transmit(const View& view, const LayerSum& layers, Path& path, Step& step);
@@ -135,17 +164,23 @@ class Tracer {
   [[nodiscard]] vec3 illuminate(const View& view, const Path& path, const LayerPoint& layer,
                                 bool first_lit);
   [[nodiscard]] vec3 shade(const View& view, const LayerPoint& layer, const Light& light,
-                           const LampAtPoint& lamp, bool backside);
+                           const LampAtPoint& lamp, bool backside, bool highlights);
   [[nodiscard]] vec3 shadowed(const Light& light, const Incidence& in, dvec3 p,
                               const Containment& inside);
   [[nodiscard]] vec3 walk_shadow(const Incidence& in, dvec3 p, Containment inside);
   [[nodiscard]] vec3 shadow_factor(const Hit& hit, dvec3 l, const Containment& inside) const;
   [[nodiscard]] vec3 shadow_factor(const View& view, const Containment& inside) const;
 
+  // When a path is not worth following.
+  struct Limits {
+    int max_level = 0;
+    float adc = 0;
+  };
+  [[nodiscard]] const Limits& limits(const Path& path) const { return limits_[path.bounce]; }
+
   const CompiledScene* scene_;
   Scratch* scratch_;
-  int max_level_;
-  float adc_;
+  std::array<Limits, IrradianceCache::max_depth + 1> limits_;  // by bounce
   bool alpha_;
   bool legacy_opacity_;
   bool translucent_shadows_;
