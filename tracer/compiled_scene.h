@@ -8,6 +8,7 @@
 #include "tracer/geometry.h"
 #include "tracer/lights/light.h"
 #include "tracer/quality.h"
+#include "tracer/shading/atmosphere.h"
 #include "tracer/shading/interior.h"
 #include "tracer/shading/sky.h"
 #include "tracer/shading/texture.h"
@@ -19,6 +20,7 @@ struct SurfaceProgram {
   ProgramId outside = 0;
   ProgramId inside = 0;  // for hits from within
   bool double_illuminate = false;
+  std::uint32_t lamps = 0;  // index into Geometry::lamp_sets()
   bool uv_mapping = false;  // all textures are looked up at (u, v, 0)
   bool has_parts = false;   // single parts of the surface have textures of their own:
   std::uint32_t first_part = 0;  // index into CompiledScene::part_textures
@@ -26,17 +28,19 @@ struct SurfaceProgram {
 
 struct CompiledScene {
   CompiledScene(const scene::Scene& s, Geometry g, Quality q)
-      : scene(&s), quality(q), geometry(std::move(g)), textures(s, q), sky(s) {}
+      : scene(&s), quality(q), geometry(std::move(g)), textures(s, q), sky(s), atmosphere(s) {}
 
   const scene::Scene* scene;
   Quality quality;
   Geometry geometry;
   TextureStore textures;
   Sky sky;
+  Atmosphere atmosphere;
   std::vector<SurfaceProgram> surfaces;  // parallel to geometry.surfaces()
   std::vector<ProgramId> part_textures;
   std::vector<Interior> interiors;       // parallel to geometry.interiors()
   std::vector<Light> lights;
+  std::vector<Geometry> projectors;  // what lamps shine through, each alone
   Containment around_camera;  // bodies that hold the camera's location
 };
 

@@ -10,6 +10,7 @@ namespace durer::tracer {
 Scratch::Scratch(const CompiledScene& scene)
     : geometry(scene.geometry.make_scratch()), lamps(scene.lights.size()) {
   reflections.reserve(64);
+  for (const Geometry& g : scene.projectors) projectors.push_back(g.make_scratch());
 }
 
 Tracer::Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha)
@@ -20,6 +21,7 @@ Tracer::Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha)
       alpha_(alpha),
       legacy_opacity_(scene.scene->settings.effective_version < 370),
       translucent_shadows_(scene.geometry.has_translucent_shadows()),
+      air_(scene.quality.atmosphere && !scene.atmosphere.empty()),
       quality_(scene.quality) {}
 
 // Transmitted rays are followed in the loop rather than by recursion: straight ones do not count as
@@ -33,7 +35,15 @@ Radiance Tracer::follow(Path path, bool straight) {
     const RayKind kind = path.reflected ? RayKind::reflection : RayKind::image;
     Hit hit;
     ++scratch_->rays;
-    if (!scene_->geometry.closest(path.ray, t_min, no_hit_depth, kind, hit, *scratch_->geometry)) {
+    const bool met =
+        scene_->geometry.closest(path.ray, t_min, path.reach, kind, hit, *scratch_->geometry);
+    if (air_ && in_the_open(path.inside)) {
+      const Veil air = veil(path, met ? hit.t : no_hit_depth);
+      sum += through * air.glow;
+      through *= air.through;
+      transmittance *= air.transmittance;
+    }
+    if (!met) {
       const Sky::Seen s = scene_->sky.at(path.ray.d, path.reflected || !alpha_);
       return {sum + through * s.colour, transmittance * s.transmittance};
     }
@@ -86,6 +96,7 @@ Tracer::Look Tracer::look(const Hit& hit, dvec3 d) const {
   view.g = from_inside ? -hit.n : hit.n;
   view.texture = &scene_->textures.program(from_inside ? s.inside : s.outside);
   view.interior = leaf.interior;
+  view.lamps = s.lamps;
   view.double_illuminate = s.double_illuminate;
   view.depth = hit.t;
   // An interior texture hides those of single parts.
