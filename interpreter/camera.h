@@ -20,7 +20,13 @@ struct CameraSpec {
   dvec3 sky{0, 1, 0};
   std::optional<dvec3> look_at;
   std::optional<double> angle_deg;
+  std::optional<double> vertical_angle_deg;  // spherical
+  int cylinder_type = 1;
   bool right_or_up_given = false;
+  std::optional<dvec3> focal_point;
+  Boxed<scene::Lens> lens;
+  Boxed<scene::Normal> normal;
+  Boxed<scene::MeshCamera> mesh;
   Transform transform;
   std::array<functions::FunctionRef, 3> location_functions;
   std::array<functions::FunctionRef, 3> direction_functions;

@@ -164,8 +164,8 @@ void Interpreter::top_level() {
           warn(Code::scene, t.span, "the scene has several sky spheres; the last one is used");
         scene_.sky_sphere = read_sky_sphere(t.span);
         break;
-      case w::fog:
-      case w::rainbow:
+      case w::fog: scene_.fogs.push_back(read_fog(t.span)); break;
+      case w::rainbow: scene_.rainbows.push_back(read_rainbow(t.span)); break;
       case w::media: not_supported(fmt::format("`{}`", name_of(t.word)), t.span);
       default: unexpected(t, "an object or directive");
     }

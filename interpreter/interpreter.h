@@ -449,6 +449,9 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   };
   const OperandPlan& operand_plan(const scene::TypeInfo& info);
   std::vector<double> read_operands(const scene::TypeInfo& info, const Token& word);
+  void read_cylinder_type(CameraSpec& c, Span span);
+  void read_blur_samples(scene::Lens& lens, Span span);
+  void read_mesh_camera(CameraSpec& c, Span span);
   bool read_camera_functions(const CameraSpec& c, std::array<functions::FunctionRef, 3>& out);
 
   // ---- function_objects.cpp
@@ -492,6 +495,15 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   void read_clips(scene::Object& object, bool clip);
   scene::ObjectId read_light(const Token& word);
   void read_light_items(scene::Object& object, scene::Light& light, const Token& word);
+  bool aiming_setting(scene::Light& light, const Token& token);
+  bool area_setting(scene::Light& light, const Token& token);
+  void read_area(scene::Light& light, Span span);
+  void check_circular(const scene::LightArea& area, Span span);
+  void settle_oriented(scene::Light& light, Span span);
+  scene::Object start_only_object(const Token& word, Span& opened);
+  void read_looks_like(scene::Object& object, const scene::Light& light, const Token& word);
+  [[nodiscard]] static vec3 sum_of_colours(const ColourMap& map);
+  scene::ObjectId read_light_group(const Token& word);
   void add_root(scene::ObjectId id);
   scene::ObjectId add_object(scene::Object object);
 
@@ -563,6 +575,10 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   void read_radiosity_count(scene::Radiosity& r, const Token& word);
   void check_reuse(scene::Radiosity& r, bool minimum_given, bool maximum_given, Span span);
   float read_importance(const Token& word);
+  scene::Fog read_fog(Span span);
+  bool fog_setting(scene::Fog& fog, const Token& token);
+  scene::Rainbow read_rainbow(Span span);
+  void check_rainbow(scene::Rainbow& rainbow, Span span);
   void read_max_trace_level(const Token& word);
   void read_assumed_gamma(const Token& word);
   void finish_settings();

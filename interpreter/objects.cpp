@@ -117,6 +117,7 @@ scene::ObjectId Interpreter::add_object(scene::Object object) {
 scene::ObjectId Interpreter::read_object(const Token& word) {
   check_stack(word.span);
   if (word.word == w::light_source) return read_light(word);
+  if (word.word == w::light_group) return read_light_group(word);
   const Token open = next();
   if (open.kind != Token::Kind::open) {
     unexpected(open, fmt::format("`{{` after `{}`", name_of(word.word)));

@@ -566,14 +566,14 @@ Value Interpreter::read_value() {
     case w::camera: return Value(read_camera(t.span));
     case w::sky_sphere:
       return Value(std::make_shared<const scene::SkySphere>(read_sky_sphere(t.span)));
+    case w::fog: return Value(std::make_shared<const scene::Fog>(read_fog(t.span)));
+    case w::rainbow: return Value(std::make_shared<const scene::Rainbow>(read_rainbow(t.span)));
     case w::array: return Value(read_array(t.span));
     case w::function: return read_function(t.span);
     case w::spline: return Value(read_spline(t.span));
     case w::density:
     case w::density_map:
     case w::media:
-    case w::fog:
-    case w::rainbow:
     case w::bump_map:
     case w::material_map: return skip_unsupported(name_of(t.word), t.span);
     default: unexpected(t, "a value");

@@ -37,6 +37,8 @@ std::string_view kind_name(const Value& value) {
     std::string_view operator()(const Shared<Transform>&) const { return "a transform"; }
     std::string_view operator()(const Shared<CameraSpec>&) const { return "a camera"; }
     std::string_view operator()(const Shared<scene::SkySphere>&) const { return "a sky sphere"; }
+    std::string_view operator()(const Shared<scene::Fog>&) const { return "a fog"; }
+    std::string_view operator()(const Shared<scene::Rainbow>&) const { return "a rainbow"; }
     std::string_view operator()(const std::shared_ptr<DataFile>&) const { return "an open file"; }
     std::string_view operator()(const Shared<UserFunction>&) const { return "a function"; }
     std::string_view operator()(const Shared<functions::Spline>&) const { return "a spline"; }

@@ -132,7 +132,7 @@ using Thing =
     std::variant<ObjectRef, TextureRef, Shared<scene::Pigment>, Shared<scene::Finish>,
                  Shared<scene::Normal>, Shared<ColourMap>, Shared<NormalMap>, Shared<SlopeMap>,
                  Shared<TextureMap>, InteriorRef, Shared<Material>, Shared<Transform>,
-                 Shared<CameraSpec>, Shared<scene::SkySphere>, std::shared_ptr<DataFile>,
+                 Shared<CameraSpec>, Shared<scene::SkySphere>, Shared<scene::Fog>, Shared<scene::Rainbow>, std::shared_ptr<DataFile>,
                  Shared<UserFunction>, Shared<functions::Spline>, Shared<Unsupported>, std::shared_ptr<Dictionary>, Poison>;
 
 /// The few kinds that loops copy and overwrite all the time are alternatives of their own; the

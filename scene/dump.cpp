@@ -27,8 +27,13 @@ static_assert(complete<Parametric>);
 static_assert(complete<TextureUse>);
 static_assert(complete<Root>);
 static_assert(complete<Light>);
+static_assert(complete<LightArea>);
 static_assert(complete<Camera>);
+static_assert(complete<Lens>);
+static_assert(complete<MeshCamera>);
 static_assert(complete<SkySphere>);
+static_assert(complete<Fog>);
+static_assert(complete<Rainbow>);
 static_assert(complete<Settings>);
 static_assert(complete<PigmentEntry>);
 static_assert(complete<Warp>);
@@ -46,7 +51,7 @@ static_assert(complete<Colour>);
 static_assert(complete<GammaCurve>);
 static_assert(complete<Affine>);
 // Each member of Scene has its own line in Dumper::scene(), origins are written with their users.
-static_assert(arity<Scene>() == 10);
+static_assert(arity<Scene>() == 12);
 
 template <typename T>
 concept HasWords = requires {
@@ -56,6 +61,7 @@ concept HasWords = requires {
 /// Equality of everything that can be in a scene; places do not count.
 template <typename T>
 bool same(const T& a, const T& b);
+bool same(const SharedTransform& a, const SharedTransform& b);
 
 template <typename T>
 bool same(const std::vector<T>& a, const std::vector<T>& b) {
@@ -133,6 +139,8 @@ class Dumper {
     value("camera", scene_.camera);
     value("background", scene_.background);
     value("sky_sphere", scene_.sky_sphere);
+    value("fogs", scene_.fogs);
+    value("rainbows", scene_.rainbows);
     value("lights", scene_.lights);
     value("roots", scene_.roots);
     value("objects", scene_.objects);

@@ -78,6 +78,7 @@ struct Fields<Object> {
       field("importance", &Object::importance),
       field("hollow", &Object::hollow),
       field("uv_mapping", &Object::uv_mapping),
+      field("global_lights", &Object::global_lights),
       field("type", &Object::type, Role::primitive),
       field("light", &Object::light, Role::id),
       field("interior", &Object::interior, Role::id),
@@ -146,6 +147,16 @@ struct Fields<Root> {
 };
 
 template <>
+struct Fields<LightArea> {
+  static constexpr std::tuple all{
+      field("u", &LightArea::u),               field("v", &LightArea::v),
+      field("n1", &LightArea::n1),             field("n2", &LightArea::n2),
+      field("adaptive", &LightArea::adaptive), field("jitter", &LightArea::jitter),
+      field("circular", &LightArea::circular), field("orient", &LightArea::orient),
+      field("illumination", &LightArea::illumination)};
+};
+
+template <>
 struct Fields<Light> {
   static constexpr std::tuple all{field("kind", &Light::kind),
                                   field("position", &Light::position),
@@ -158,7 +169,34 @@ struct Fields<Light> {
                                   field("tightness", &Light::tightness),
                                   field("fade_distance", &Light::fade_distance),
                                   field("fade_power", &Light::fade_power),
+                                  field("media_interaction", &Light::media_interaction),
+                                  field("media_attenuation", &Light::media_attenuation),
+                                  field("has_area", &Light::has_area),
+                                  field("area", &Light::area),
+                                  field("projected_through", &Light::projected_through, Role::id),
                                   field("origin", &Light::origin, Role::place)};
+};
+
+template <>
+struct Fields<Lens> {
+  static constexpr std::tuple all{field("aperture", &Lens::aperture),
+                                  field("least_samples", &Lens::least_samples),
+                                  field("most_samples", &Lens::most_samples),
+                                  field("focal_distance", &Lens::focal_distance),
+                                  field("confidence", &Lens::confidence),
+                                  field("variance", &Lens::variance),
+                                  field("has_bokeh", &Lens::has_bokeh),
+                                  field("bokeh", &Lens::bokeh)};
+};
+
+template <>
+struct Fields<MeshCamera> {
+  static constexpr std::tuple all{field("rays", &MeshCamera::rays),
+                                  field("distribution", &MeshCamera::distribution),
+                                  field("reach", &MeshCamera::reach),
+                                  field("smooth", &MeshCamera::smooth),
+                                  field("meshes", &MeshCamera::meshes),
+                                  field("transforms", &MeshCamera::transforms)};
 };
 
 template <>
@@ -168,9 +206,15 @@ struct Fields<Camera> {
                                   field("direction", &Camera::direction),
                                   field("right", &Camera::right),
                                   field("up", &Camera::up),
+                                  field("angle_deg", &Camera::angle_deg),
+                                  field("vertical_angle_deg", &Camera::vertical_angle_deg),
+                                  field("cylinder_type", &Camera::cylinder_type),
                                   field("location_functions", &Camera::location_functions),
                                   field("direction_functions", &Camera::direction_functions),
                                   field("transform", &Camera::transform),
+                                  field("normal", &Camera::normal),
+                                  field("lens", &Camera::lens),
+                                  field("mesh", &Camera::mesh),
                                   field("origin", &Camera::origin, Role::place)};
 };
 
@@ -203,6 +247,32 @@ struct Fields<Radiosity> {
                                   field("media", &Radiosity::media),
                                   field("subsurface", &Radiosity::subsurface),
                                   field("background_importance", &Radiosity::background_importance)};
+};
+
+template <>
+struct Fields<Fog> {
+  static constexpr std::tuple all{
+      field("kind", &Fog::kind),           field("distance", &Fog::distance),
+      field("colour", &Fog::colour),       field("offset", &Fog::offset),
+      field("alt", &Fog::alt),             field("up", &Fog::up),
+      field("turbulent", &Fog::turbulent), field("turbulence", &Fog::turbulence),
+      field("turb_depth", &Fog::turb_depth), field("octaves", &Fog::octaves),
+      field("omega", &Fog::omega),         field("lambda", &Fog::lambda),
+      field("origin", &Fog::origin, Role::place)};
+};
+
+template <>
+struct Fields<Rainbow> {
+  static constexpr std::tuple all{field("direction", &Rainbow::direction),
+                                  field("up", &Rainbow::up),
+                                  field("angle_deg", &Rainbow::angle_deg),
+                                  field("width_deg", &Rainbow::width_deg),
+                                  field("arc_angle_deg", &Rainbow::arc_angle_deg),
+                                  field("falloff_angle_deg", &Rainbow::falloff_angle_deg),
+                                  field("distance", &Rainbow::distance),
+                                  field("jitter", &Rainbow::jitter),
+                                  field("colours", &Rainbow::colours),
+                                  field("origin", &Rainbow::origin, Role::place)};
 };
 
 template <>
@@ -384,8 +454,9 @@ struct Words;
 
 template <>
 struct Words<NodeKind> {
-  static constexpr std::array<std::string_view, 7> all{
-      "primitive", "union", "merge", "intersection", "difference", "light", "unsupported"};
+  static constexpr std::array<std::string_view, 8> all{"primitive",   "union", "merge",
+                                                       "intersection", "difference", "light",
+                                                       "light_group", "unsupported"};
 };
 template <>
 struct Words<Container::Kind> {
@@ -393,12 +464,19 @@ struct Words<Container::Kind> {
 };
 template <>
 struct Words<Light::Kind> {
-  static constexpr std::array<std::string_view, 2> all{"point", "spotlight"};
+  static constexpr std::array<std::string_view, 3> all{"point", "spotlight", "cylinder"};
 };
 template <>
 struct Words<Camera::Kind> {
-  static constexpr std::array<std::string_view, 3> all{"perspective", "orthographic",
-                                                       "user_defined"};
+  static constexpr std::array all{
+#define DURER_ENTRY(name) std::string_view(#name),
+#include "scene/cameras.def"
+#undef DURER_ENTRY
+  };
+};
+template <>
+struct Words<Fog::Kind> {
+  static constexpr std::array<std::string_view, 2> all{"constant", "ground"};
 };
 template <>
 struct Words<GammaMode> {

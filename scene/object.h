@@ -25,7 +25,9 @@ enum class NodeKind : std::uint8_t {
   merge,
   intersection,
   difference,   // first child minus the others
-  light,        // a light source that stands among objects (and moves with them)
+  light,        // a light source that stands among objects (and moves with them); its child, if it
+                // has one, is what it looks like
+  light_group,  // a union whose own lights are for it alone
   unsupported,  // may be declared, must not be used
 };
 
@@ -63,6 +65,8 @@ struct Object {
   std::optional<bool> hollow;
   /// Textures are looked up at (u, v, 0) and stay where they are when the object is moved.
   bool uv_mapping = false;
+  /// light_group: lit by the lights outside as well? None: as the group around it.
+  std::optional<bool> global_lights;
   std::uint32_t type = none;  // primitive: index into Registry::primitives
   LightId light = none;
   InteriorId interior = none;

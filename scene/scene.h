@@ -2,7 +2,6 @@
 // comparable; ids are indices into the vectors here.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,46 +10,15 @@
 #include "base/chunked.h"
 #include "base/colour.h"
 #include "base/gamma.h"
+#include "scene/atmosphere.h"
+#include "scene/camera.h"
+#include "scene/light.h"
 #include "scene/object.h"
 #include "scene/origin.h"
 #include "scene/radiosity.h"
 #include "scene/texture.h"
 
 namespace durer::scene {
-
-/// Position and colour of light (shading §6). World space once the transforms of the objects that
-/// hold it are applied; angles in degrees.
-struct Light {
-  enum class Kind : std::uint8_t { point, spotlight };
-  Kind kind = Kind::point;
-  dvec3 position{0.0};
-  vec3 colour{0.0F};
-  bool parallel = false;
-  bool shadowless = false;
-  dvec3 point_at{0, 0, 1};
-  double radius_deg = 30;   // full intensity inside
-  double falloff_deg = 45;  // nothing outside
-  double tightness = 0;
-  double fade_distance = 0;  // 0: off
-  double fade_power = 0;
-  OriginId origin = 0;
-};
-
-/// Final vectors, after `angle`, `look_at` and all transformations (shading §2.2).
-struct Camera {
-  enum class Kind : std::uint8_t { perspective, orthographic, user_defined };
-  Kind kind = Kind::perspective;
-  dvec3 location{0.0};
-  dvec3 direction{0, 0, 1};
-  dvec3 right{1.33, 0, 0};
-  dvec3 up{0, 1, 0};
-  /// user_defined: functions of u and v, each -1/2…1/2 over the picture, to the right and upwards,
-  /// in the space of `transform`. None: `location`, or the direction of a perspective camera.
-  std::array<functions::FunctionRef, 3> location_functions;
-  std::array<functions::FunctionRef, 3> direction_functions;
-  SharedTransform transform;
-  OriginId origin = 0;
-};
 
 /// Pigments on the inside of an infinite sphere: the colour of rays that hit nothing (shading
 /// §7.2).
@@ -101,6 +69,8 @@ struct Scene {
   Camera camera;
   Colour background{.rgb = vec3(0.0F), .filter = 0, .transmit = 1};
   std::optional<SkySphere> sky_sphere;
+  std::vector<Fog> fogs;  // in order of declaration
+  std::vector<Rainbow> rainbows;
   Settings settings;
   std::vector<Origin> origins{1};
 };

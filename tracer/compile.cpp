@@ -46,6 +46,7 @@ void compile_surfaces(CompiledScene& out) {
                          : out.textures.add(s.interior_texture);
     program.double_illuminate = s.double_illuminate;
     program.uv_mapping = s.uv_mapping;
+    program.lamps = s.lamps;
     bool all_opaque = out.textures.program(program.outside).opaque &&
                       out.textures.program(program.inside).opaque;
     if (s.part_textures != nullptr) {
@@ -77,6 +78,19 @@ void compile_interiors(const scene::Scene& scene, CompiledScene& out) {
   }
 }
 
+bool compile_lights(const scene::Scene& scene, CompiledScene& out, Diagnostics& diagnostics) {
+  for (const scene::Light& light : out.geometry.lights()) {
+    out.lights.push_back(compile_light(light, out.quality.area_lights));
+  }
+  for (const Projection& p : out.geometry.projections()) {
+    auto alone = Geometry::build_object(scene, p.object, diagnostics, p.to_world);
+    if (!alone) return false;
+    out.lights[p.light].projector = static_cast<std::uint32_t>(out.projectors.size());
+    out.projectors.push_back(std::move(*alone));
+  }
+  return true;
+}
+
 void find_camera(const scene::Scene& scene, CompiledScene& out) {
   std::vector<std::uint32_t> around;
   const GeometryScratchPtr scratch = out.geometry.make_scratch();
@@ -99,9 +113,7 @@ CompiledScenePtr compile(const scene::Scene& scene, Diagnostics& diagnostics, in
   auto out = std::make_unique<CompiledScene>(scene, std::move(*geometry), Quality(quality));
   compile_surfaces(*out);
   compile_interiors(scene, *out);
-  for (const scene::Light& light : out->geometry.lights()) {
-    out->lights.push_back(compile_light(light));
-  }
+  if (!compile_lights(scene, *out, diagnostics)) return nullptr;
   find_camera(scene, *out);
   return CompiledScenePtr(out.release());
 }

@@ -9,6 +9,7 @@
 #include "tracer/geometry.h"
 #include "tracer/lights/light.h"
 #include "tracer/quality.h"
+#include "tracer/shading/atmosphere.h"
 #include "tracer/shading/interior.h"
 #include "tracer/shading/sky.h"
 #include "tracer/shading/texture.h"
@@ -21,6 +22,7 @@ struct SurfaceProgram {
   ProgramId outside = 0;
   ProgramId inside = 0;  // for hits from within
   bool double_illuminate = false;
+  std::uint32_t lamps = 0;  // index into Geometry::lamp_sets()
   bool uv_mapping = false;  // all textures are looked up at (u, v, 0)
   bool has_parts = false;   // single parts of the surface have textures of their own:
   std::uint32_t first_part = 0;  // index into CompiledScene::part_textures
@@ -28,7 +30,7 @@ struct SurfaceProgram {
 
 struct CompiledScene {
   CompiledScene(const scene::Scene& s, Geometry g, Quality q)
-      : scene(&s), quality(q), geometry(std::move(g)), textures(s, q), sky(s) {
+      : scene(&s), quality(q), geometry(std::move(g)), textures(s, q), sky(s), atmosphere(s) {
     if (s.settings.radiosity && q.radiosity) radiosity.emplace(s);
   }
 
@@ -37,11 +39,13 @@ struct CompiledScene {
   Geometry geometry;
   TextureStore textures;
   Sky sky;
+  Atmosphere atmosphere;
   std::optional<RadiosityProgram> radiosity;
   std::vector<SurfaceProgram> surfaces;  // parallel to geometry.surfaces()
   std::vector<ProgramId> part_textures;
   std::vector<Interior> interiors;       // parallel to geometry.interiors()
   std::vector<Light> lights;
+  std::vector<Geometry> projectors;  // what lamps shine through, each alone
   Containment around_camera;  // bodies that hold the camera's location
 };
 

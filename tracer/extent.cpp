@@ -53,7 +53,11 @@ class Measure {
     switch (o.kind) {
       case NodeKind::primitive: b = primitive(o, inner); break;
       case NodeKind::light:
+        if (!o.children.empty()) return box(o.children.front(), inner, inverted);
+        b = Bounds3::everything();
+        break;
       case NodeKind::unsupported: b = Bounds3::everything(); break;
+      case NodeKind::light_group:
       case NodeKind::union_:
       case NodeKind::merge:
         b = flipped ? intersection(o, flipped) : sum(o, flipped);

@@ -37,6 +37,8 @@ struct Context {
   scene::TextureUse interior_texture{none, {}};
   std::uint32_t interior = none;  // instance
   std::uint32_t gate = none;
+  std::uint32_t direct_of = none;  // the light group whose direct child this is
+  std::uint32_t lamps = 0;         // index into lamp_sets_
 };
 
 /// Finds the surface that looks the same, so that thousands of objects can share one.
@@ -63,6 +65,7 @@ class SurfaceTable {
   static std::string key(const Surface& s) {
     std::string key(1, s.double_illuminate ? '1' : '0');
     key += s.uv_mapping ? '1' : '0';
+    key.append(reinterpret_cast<const char*>(&s.lamps), sizeof s.lamps);
     key.append(reinterpret_cast<const char*>(&s.part_textures), sizeof s.part_textures);
     if (s.part_textures != nullptr && !s.part_transform.is_identity()) {
       append(key, s.part_transform);
@@ -85,11 +88,17 @@ class Flattener {
 
   Flat run() {
     for (const scene::Root& root : scene_.roots) add_root(root, {});
+    for (const LampSet& set : lamp_sets_) {
+      flat_.lamp_sets.push_back(set.outside);
+      std::vector<std::uint32_t>& all = flat_.lamp_sets.back();
+      all.insert(all.end(), set.inside.begin(), set.inside.end());
+    }
     return std::move(flat_);
   }
 
-  Flat run(scene::ObjectId object) {
+  Flat run(scene::ObjectId object, const Transform& to_world) {
     Context alone;
+    alone.to_world = to_world;
     alone.flags_count = false;
     add_root({object, none}, alone);
     return std::move(flat_);
@@ -110,11 +119,10 @@ class Flattener {
       report(id, object);
       return none;
     }
-    if (object.kind == NodeKind::light) {
-      if (around.scenery) add_light(object, around);
-      return none;
-    }
-    const Context own = inherit(id, around);
+    if (object.kind == NodeKind::light) return light(object, around);
+    Context own = inherit(id, around);
+    own.direct_of = none;
+    if (object.kind == NodeKind::light_group) enter_group(object, own);
     const std::uint32_t body =
         object.kind == NodeKind::primitive ? add_leaf(object, own) : add_csg(object, own, around);
     if (body == none) return none;
@@ -165,6 +173,7 @@ class Flattener {
       surface.interior_texture = own.interior_texture;
       surface.double_illuminate = own.double_illuminate;
       surface.uv_mapping = own.uv_mapping;
+      surface.lamps = own.lamps;
       const std::vector<scene::TextureId>& parts = object.extras->mesh != nullptr
                                                        ? object.extras->mesh->textures
                                                        : object.extras->part_textures;
@@ -259,12 +268,47 @@ class Flattener {
     return hidden;
   }
 
+  /// A lamp, and what stands in its place if it looks like something.
+  std::uint32_t light(const Object& object, const Context& around) {
+    if (around.scenery) add_light(object, around);
+    if (object.children.empty()) return none;
+    Context own = around;
+    own.to_world = object.transform.then(around.to_world);
+    own.direct_of = none;
+    return visit(object.children.front(), own);
+  }
+
   void add_light(const Object& object, const Context& around) {
     scene::Light light = scene_.lights[object.light];
     const Transform to_world = object.transform.then(around.to_world);
     light.position = to_world.point(light.position);
     light.point_at = to_world.point(light.point_at);
+    light.area.u = to_world.vector(light.area.u);
+    light.area.v = to_world.vector(light.area.v);
+    const auto id = static_cast<std::uint32_t>(flat_.lights.size());
+    if (light.projected_through != none) {
+      flat_.projections.push_back({id, light.projected_through, to_world});
+    }
     flat_.lights.push_back(light);
+    // A group's own lamps light the objects in it, and those of the groups in it.
+    for (LampSet& set : lamp_sets_) {
+      const bool lit = around.direct_of == none
+                           ? set.global
+                           : std::find(set.groups.begin(), set.groups.end(), around.direct_of) !=
+                                 set.groups.end();
+      if (lit) (around.direct_of == none ? set.outside : set.inside).push_back(id);
+    }
+  }
+
+  void enter_group(const Object& group, Context& own) {
+    LampSet set = lamp_sets_[own.lamps];
+    own.direct_of = groups_++;
+    set.groups.push_back(own.direct_of);
+    set.global = group.global_lights.value_or(own.lamps != 0 && set.global);
+    if (!set.global) set.outside.clear();
+    if (set.global && set.outside.empty()) set.outside = lamp_sets_[0].outside;
+    own.lamps = static_cast<std::uint32_t>(lamp_sets_.size());
+    lamp_sets_.push_back(std::move(set));
   }
 
   std::uint32_t add_node(FlatNode node) {
@@ -311,6 +355,15 @@ class Flattener {
   Diagnostics& diagnostics_;
   Flat flat_;
   SurfaceTable surfaces_;
+  /// Who lights an object: what it inherits from the light groups around it. Set 0: no group.
+  struct LampSet {
+    std::vector<std::uint32_t> groups;   // around the object
+    bool global = true;                  // lamps outside of any group count
+    std::vector<std::uint32_t> outside;  // lamps: those of the scene …
+    std::vector<std::uint32_t> inside;   // … then those of groups
+  };
+  std::vector<LampSet> lamp_sets_{1};
+  std::uint32_t groups_ = 0;
   scene::TextureId default_texture_ = none;
   std::uint32_t entry_interior_ = 0;  // of the object that `visit` has just returned
   std::unordered_set<scene::ObjectId> reported_;
@@ -322,8 +375,9 @@ Flat flatten(const scene::Scene& scene, Diagnostics& diagnostics) {
   return Flattener(scene, diagnostics).run();
 }
 
-Flat flatten_object(const scene::Scene& scene, scene::ObjectId object, Diagnostics& diagnostics) {
-  return Flattener(scene, diagnostics).run(object);
+Flat flatten_object(const scene::Scene& scene, scene::ObjectId object, Diagnostics& diagnostics,
+                    const Transform& to_world) {
+  return Flattener(scene, diagnostics).run(object, to_world);
 }
 
 }  // namespace durer::tracer

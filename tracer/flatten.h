@@ -54,6 +54,8 @@ struct Flat {
   std::vector<Surface> surfaces;
   std::vector<InteriorInstance> interiors;
   std::vector<scene::Light> lights;
+  std::vector<std::vector<std::uint32_t>> lamp_sets;  // see Surface::lamps
+  std::vector<Projection> projections;
 
   std::vector<FlatLeaf> parts;
   std::vector<FlatNode> nodes;
@@ -67,6 +69,6 @@ struct Flat {
 
 /// The same for one object of the scene, as if it stood alone and could be seen by everything.
 [[nodiscard]] Flat flatten_object(const scene::Scene& scene, scene::ObjectId object,
-                                  Diagnostics& diagnostics);
+                                  Diagnostics& diagnostics, const Transform& to_world = {});
 
 }  // namespace durer::tracer

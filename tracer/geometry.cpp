@@ -47,9 +47,10 @@ std::optional<Geometry> Geometry::build(const scene::Scene& scene, Diagnostics& 
 }
 
 std::optional<Geometry> Geometry::build_object(const scene::Scene& scene, scene::ObjectId object,
-                                               Diagnostics& diagnostics) {
+                                               Diagnostics& diagnostics,
+                                               const Transform& to_world) {
   const std::size_t errors = error_count(diagnostics);
-  Flat flat = flatten_object(scene, object, diagnostics);
+  Flat flat = flatten_object(scene, object, diagnostics, to_world);
   if (error_count(diagnostics) > errors) return std::nullopt;
   const bool few = flat.entries.size() < 16;  // then setting up Embree costs more than it saves
   return Geometry(
@@ -60,6 +61,10 @@ std::span<const Leaf> Geometry::leaves() const { return state_->leaves; }
 std::span<const Surface> Geometry::surfaces() const { return state_->surfaces; }
 std::span<const InteriorInstance> Geometry::interiors() const { return state_->interiors; }
 std::span<const scene::Light> Geometry::lights() const { return state_->lights; }
+std::span<const std::vector<std::uint32_t>> Geometry::lamp_sets() const {
+  return state_->lamp_sets;
+}
+std::span<const Projection> Geometry::projections() const { return state_->projections; }
 
 void Geometry::set_opaque(std::vector<bool> by_surface) { state_->set_opaque(by_surface); }
 bool Geometry::has_translucent_shadows() const { return state_->translucent_shadows; }

@@ -36,6 +36,14 @@ struct Surface {
   /// Textures of single faces (scene::Mesh::textures), and where they lie. Null: the object has none.
   const std::vector<scene::TextureId>* part_textures = nullptr;
   SharedTransform part_transform;
+  std::uint32_t lamps = 0;  // who lights it: index into Geometry::lamp_sets()
+};
+
+/// A lamp that shines through an object, which is not seen otherwise.
+struct Projection {
+  std::uint32_t light = 0;  // index into Geometry::lights()
+  scene::ObjectId object = scene::none;
+  Transform to_world;
 };
 
 /// One body of matter. Objects that share an instance toggle it (objects §8.6).
@@ -88,13 +96,18 @@ class Geometry {
   /// One object of the scene alone, visible to every kind of ray.
   [[nodiscard]] static std::optional<Geometry> build_object(const scene::Scene& scene,
                                                             scene::ObjectId object,
-                                                            Diagnostics& diagnostics);
+                                                            Diagnostics& diagnostics,
+                                                            const Transform& to_world = {});
 
   [[nodiscard]] std::span<const Leaf> leaves() const;
   [[nodiscard]] std::span<const Surface> surfaces() const;
   [[nodiscard]] std::span<const InteriorInstance> interiors() const;
   /// Lights of the scene and of its objects, in world space, in order of declaration.
   [[nodiscard]] std::span<const scene::Light> lights() const;
+  /// Who lights surfaces: lists of indices into lights(), the scene's own before those of light
+  /// groups. Set 0 is for all that is in no group.
+  [[nodiscard]] std::span<const std::vector<std::uint32_t>> lamp_sets() const;
+  [[nodiscard]] std::span<const Projection> projections() const;
 
   /// What came to light about primitives while rays asked them: see Store::doubt. Each message once
   /// per object of the scene.

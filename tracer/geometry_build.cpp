@@ -24,6 +24,8 @@ Geometry::State::State(Flat flat, Hierarchy hierarchy) {
   surfaces = std::move(flat.surfaces);
   interiors = std::move(flat.interiors);
   lights = std::move(flat.lights);
+  lamp_sets = std::move(flat.lamp_sets);
+  projections = std::move(flat.projections);
   flat = {};  // makes room for the hierarchy
   build_accel(hierarchy);
 }

@@ -30,6 +30,8 @@ struct Geometry::State {
   std::vector<Surface> surfaces;
   std::vector<InteriorInstance> interiors;
   std::vector<scene::Light> lights;
+  std::vector<std::vector<std::uint32_t>> lamp_sets;
+  std::vector<Projection> projections;
 
   std::vector<TypeStores> lone;      // per primitive type: those that stand alone …
   std::vector<TypeStores> operands;  // … and those inside solids, clips and bounds

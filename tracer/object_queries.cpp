@@ -29,7 +29,7 @@ bool any_below(const scene::Scene& scene, ObjectId id, bool cutters, const Found
 
 bool is_patch(const Object& o) {
   if (o.extras->mesh != nullptr) return !o.extras->mesh->has_inside();
-  return o.kind == NodeKind::light ||
+  return (o.kind == NodeKind::light && o.children.empty()) ||
          (o.kind == NodeKind::primitive && primitive_types()[o.type]->is_patch);
 }
 

@@ -13,6 +13,7 @@ struct Quality {
         transparency(level >= 6),
         reflection(level >= 8),
         normals(level >= 8),
+        atmosphere(level >= 9),
         radiosity(level >= 9) {}
 
   bool lights;         // without them a surface shows its innermost visible pigment
@@ -22,6 +23,7 @@ struct Quality {
   bool transparency;   // else what is behind a surface is black
   bool reflection;
   bool normals;
+  bool atmosphere;  // fog, rainbows, media
   bool radiosity;
 };
 

@@ -1,5 +1,6 @@
 # Shading, lights, cameras, transport and film: what makes a picture of the geometry.
 find_package(TBB REQUIRED)
+durer_entries(camera_sources ${PROJECT_SOURCE_DIR}/scene/cameras.def cameras)
 durer_entries(pattern_sources patterns/patterns.def patterns)
 durer_entries(warp_sources warps/warps.def warps)
 
@@ -8,11 +9,12 @@ durer_library(tracer
     compile.cpp pigment_queries.cpp unsupported.cpp
     patterns/patterns.cpp patterns/program.cpp ${pattern_sources}
     warps/warps.cpp ${warp_sources}
-    shading/finish.cpp shading/interior.cpp shading/normal.cpp shading/pigment.cpp shading/sky.cpp shading/spectrum.cpp
+    shading/finish.cpp shading/fog.cpp shading/rainbow.cpp shading/interior.cpp shading/normal.cpp shading/pigment.cpp shading/sky.cpp shading/spectrum.cpp
     shading/texture.cpp
-    lights/light.cpp
-    transport/irradiance_cache.cpp transport/light.cpp transport/radiosity.cpp transport/surface.cpp transport/texture_parts.cpp transport/trace.cpp
-    film/antialias.cpp film/jitter.cpp film/pretrace.cpp film/progress.cpp film/render.cpp
+    cameras/camera.cpp ${camera_sources}
+    lights/area.cpp lights/light.cpp
+    transport/atmosphere.cpp transport/irradiance_cache.cpp transport/light.cpp transport/radiosity.cpp transport/shadow.cpp transport/surface.cpp transport/texture_parts.cpp transport/trace.cpp
+    film/antialias.cpp film/jitter.cpp film/eye.cpp film/lens.cpp film/lens_points.cpp film/pretrace.cpp film/progress.cpp film/render.cpp
   LINKS durer::geometry durer::scene durer::functions
   PRIVATE_LINKS TBB::tbb fmt::fmt)
 if(TARGET durer::image)

@@ -69,6 +69,8 @@ double offset(double a, double b) {
 
 }  // namespace
 
+int shuffled(int i) { return permutation[i & 4095]; }
+
 dvec2 jitter(double x, double y) {
   return {offset(1021 * x, 1019 * y), offset(1019 * x, 1021 * y)};
 }

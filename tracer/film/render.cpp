@@ -5,14 +5,11 @@
 #include <atomic>
 #include <thread>
 
-#include "tracer/cameras/orthographic.h"
-#include "tracer/cameras/perspective.h"
-#include "tracer/cameras/user_defined.h"
 #include "tracer/film/adaptive.h"
+#include "tracer/film/eye.h"
 #include "tracer/film/pretrace.h"
 #include "tracer/film/progress.h"
 #include "tracer/film/threads.h"
-#include "tracer/transport/trace.h"
 
 namespace durer::tracer {
 namespace {
@@ -45,98 +42,47 @@ std::vector<Block> blocks_of(const RenderOptions& options) {
   return blocks;
 }
 
-// Well-mixed start of the random numbers of one sample.
-std::uint32_t seed(int x, int y, std::uint32_t index) {
-  std::uint32_t h = static_cast<std::uint32_t>(x) * 0x8DA6B343U ^
-                    static_cast<std::uint32_t>(y) * 0xD8163841U ^ index * 0xCB1AB31FU;
-  h = (h ^ (h >> 16)) * 0x7FEB352DU;
-  h = (h ^ (h >> 15)) * 0x846CA68BU;
-  return h ^ (h >> 16);
-}
-
 AntialiasOptions antialias_options(const CompiledScene& scene, const RenderOptions& o) {
   return {o.aa_threshold, o.aa_depth, o.aa_jitter, o.aa_gamma, scene.scene->settings.assumed_gamma};
 }
 
-template <typename Camera>
-Camera make_camera(const scene::Scene& scene) {
-  if constexpr (std::is_same_v<Camera, UserDefinedCamera>) {
-    return Camera(scene.camera, scene.settings.resolved_noise_generator());
-  } else {
-    return Camera(scene.camera);
-  }
-}
-
-// Renders blocks on one thread through one kind of camera.
-template <typename Camera>
+// Renders blocks on one thread.
 class BlockRenderer {
  public:
-  BlockRenderer(const CompiledScene& scene, const RenderOptions& options, image::Image& image)
-      : scene_(&scene),
-        options_(&options),
+  BlockRenderer(const Viewpoint& view, image::Image& image)
+      : options_(view.options),
         image_(&image),
-        camera_(make_camera<Camera>(*scene.scene)),
-        scratch_(scene),
-        tracer_(scene, scratch_, options.alpha),
-        antialias_(antialias_options(scene, options)),
-        adaptive_(antialias_options(scene, options)) {}
+        eye_(view),
+        antialias_(antialias_options(*view.scene, *view.options)),
+        adaptive_(antialias_options(*view.scene, *view.options)) {}
 
   /// Before each block: what is known of indirect light. `id` tells the blocks apart.
-  void begin(const IrradianceCache& cache, std::uint32_t id) {
-    if (!scene_->radiosity) return;
-    const auto pool = static_cast<std::uint32_t>(scene_->radiosity->directions.size());
-    scratch_.radiosity.begin(&cache, true, ~id, pool);
-  }
-  void probe(double x, double y) { sample(x, y, 0); }
-  [[nodiscard]] RadiosityState& radiosity() { return scratch_.radiosity; }
+  void begin(const IrradianceCache& cache, std::uint32_t id) { eye_.begin(&cache, ~id); }
 
   void render(const Block& block) {
-    const auto take = [this](double x, double y, std::uint32_t i) { return sample(x, y, i); };
+    const auto take = [this](double x, double y, std::uint32_t i) { return eye_.see(x, y, i); };
     const auto put = [this](int x, int y, const Pixel& p) { store(x, y, p); };
     if (options_->antialias) {
       if (options_->aa_method == 2) return adaptive_.render(block, take, put);
       return antialias_.render(block, take, put);
     }
     for (int y = block.top; y < block.bottom; ++y) {
-      for (int x = block.left; x < block.right; ++x) store(x, y, sample(x, y, 0));
+      for (int x = block.left; x < block.right; ++x) store(x, y, eye_.see(x, y, 0));
     }
   }
 
-  [[nodiscard]] std::uint64_t rays() const { return scratch_.rays; }
+  [[nodiscard]] std::uint64_t rays() const { return eye_.rays(); }
 
  private:
-  Pixel sample(double x, double y, std::uint32_t index) {
-    const double u = (x + 0.5) / options_->width - 0.5;
-    const double v = 0.5 - (y + 0.5) / options_->height;
-    scratch_.noise =
-        seed(static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y)), index);
-    Path path;
-    path.ray = camera_.ray(u, v);
-    path.inside = Camera::one_origin ? scene_->around_camera : around(path.ray.o);
-    const Radiance r = tracer_.trace(path);
-    return {r.colour, r.transmittance};
-  }
-
-  Containment around(dvec3 p) {
-    Containment inside;
-    scratch_.containing.clear();
-    scene_->geometry.containing(p, scratch_.containing, *scratch_.geometry);
-    for (const std::uint32_t id : scratch_.containing) inside.append(id);
-    return inside;
-  }
-
   void store(int x, int y, const Pixel& p) {
     const auto out = image_->at(x, y);
     for (int i = 0; i < 3; ++i) out[i] = p[i];
     out[3] = 1 - p.w;
   }
 
-  const CompiledScene* scene_;
   const RenderOptions* options_;
   image::Image* image_;
-  Camera camera_;
-  Scratch scratch_;
-  Tracer tracer_;
+  Eye eye_;
   Antialias antialias_;
   AdaptiveAntialias adaptive_;
 };
@@ -155,27 +101,22 @@ std::vector<PretraceTile> tiles_of(const Block& part) {
 }
 
 // The cache of indirect light, filled by the passes before the picture.
-template <typename Camera>
-IrradianceCache gather_light(const CompiledScene& scene, const RenderOptions& options, int threads,
-                             ProgressMeter& meter, image::Image& image) {
-  if (!scene.radiosity) return {};
-  Pretrace<BlockRenderer<Camera>> pretrace(*scene.radiosity, tiles_of(part_of(options)),
-                                           std::max(options.width, options.height));
-  pretrace.run(
-      threads, [&] { return std::make_unique<BlockRenderer<Camera>>(scene, options, image); }, meter);
+IrradianceCache gather_light(const Viewpoint& view, int threads, ProgressMeter& meter) {
+  if (!view.scene->radiosity) return {};
+  const RenderOptions& o = *view.options;
+  Pretrace<Eye> pretrace(*view.scene->radiosity, tiles_of(part_of(o)), std::max(o.width, o.height));
+  pretrace.run(threads, [&] { return std::make_unique<Eye>(view); }, meter);
   return std::move(pretrace).cache();
 }
 
 // Threads take the next block in row-major order until none is left, past those already done.
-template <typename Camera>
-void render_blocks(const CompiledScene& scene, const RenderOptions& options,
-                   const std::vector<Block>& blocks, int threads, ProgressMeter& meter,
-                   image::Image& image, std::vector<std::atomic<bool>>* done) {
-  const IrradianceCache cache =
-      gather_light<Camera>(scene, options, threads, meter, image);
+void render_blocks(const Viewpoint& view, const std::vector<Block>& blocks, int threads,
+                   ProgressMeter& meter, image::Image& image,
+                   std::vector<std::atomic<bool>>* done) {
+  const IrradianceCache cache = gather_light(view, threads, meter);
   std::atomic<std::size_t> next{0};
   const auto work = [&](int) {
-    BlockRenderer<Camera> renderer(scene, options, image);
+    BlockRenderer renderer(view, image);
     std::uint64_t counted = 0;
     for (std::size_t i = next++; i < blocks.size() && !meter.cancelled(); i = next++) {
       if (done && (*done)[i]) continue;
@@ -235,14 +176,7 @@ RenderResult render(const CompiledScene& scene, const RenderOptions& options,
     if (!done || !(*done)[i]) pixels += pixels_of(blocks[i]);
   }
   ProgressMeter meter(pixels, on_progress, cancel);
-  const auto run = [&]<typename Camera>(std::type_identity<Camera>) {
-    render_blocks<Camera>(scene, options, blocks, threads, meter, image, done);
-  };
-  switch (scene.scene->camera.kind) {
-    case scene::Camera::Kind::perspective: run(std::type_identity<PerspectiveCamera>()); break;
-    case scene::Camera::Kind::orthographic: run(std::type_identity<OrthographicCamera>()); break;
-    case scene::Camera::Kind::user_defined: run(std::type_identity<UserDefinedCamera>()); break;
-  }
+  render_blocks(Viewpoint(scene, options), blocks, threads, meter, image, done);
   result.final = meter.now();
   result.cancelled = meter.cancelled();
   if (checkpoint && !result.cancelled) result.image = std::move(checkpoint->image);

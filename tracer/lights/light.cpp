@@ -7,6 +7,8 @@
 namespace durer::tracer {
 namespace {
 
+using Kind = scene::Light::Kind;
+
 // 0 below lo, 1 from hi on, a smooth cubic between.
 double smooth_step(double lo, double hi, double x) {
   if (x < lo) return 0;
@@ -15,59 +17,97 @@ double smooth_step(double lo, double hi, double x) {
   return y * y * (3 - 2 * y);
 }
 
+double tightened(const Light& light, double x) {
+  return light.tightness == 0 ? 1 : std::pow(x, light.tightness);
+}
+
 // The cone of a spotlight; the edge is smooth in cosines, not in angles.
 double cone(const Light& light, double cosine) {
   if (cosine <= 0) return 0;
-  double a = light.tightness == 0 ? 1 : std::pow(cosine, light.tightness);
-  if (light.cos_radius > 0 && cosine < light.cos_radius) {
-    a *= smooth_step(light.cos_falloff, light.cos_radius, cosine);
+  double a = tightened(light, cosine);
+  if (light.radius > 0 && cosine < light.radius) {
+    a *= smooth_step(light.falloff, light.radius, cosine);
   }
   return a;
 }
 
-double attenuation(const Light& light, dvec3 l, double distance) {
-  double a = 1;
-  if (light.spot) {
-    const double cosine = glm::dot(l, light.axis);
-    a = cone(light, distance > 0 ? -cosine : cosine);
-  }
-  if (a > 0 && light.fade_power > 0 && std::abs(light.fade_distance) > epsilon) {
-    a *= 2 / (1 + std::pow(distance / light.fade_distance, light.fade_power));
+// The beam of a cylinder, which begins at the lamp.
+double beam(const Light& light, dvec3 p) {
+  const dvec3 way = p - light.position;
+  const double along = glm::dot(way, light.axis);
+  if (along <= 0) return 0;
+  const double aside = glm::length(way - along * light.axis);
+  if (aside >= light.falloff) return 0;
+  const double x = 1 - aside / light.falloff;
+  double a = tightened(light, x);
+  if (light.radius > 0 && aside > light.radius) {
+    a *= smooth_step(0, 1 - light.radius / light.falloff, x);
   }
   return a;
+}
+
+dvec3 axis_from(const Light& light, dvec3 position) {
+  const dvec3 way = light.point_at - position;
+  const double length = glm::length(way);
+  return length > 0 ? way / length : light.axis;
 }
 
 }  // namespace
 
-Light compile_light(const scene::Light& in) {
+Light compile_light(const scene::Light& in, bool areas) {
   Light light;
+  light.kind = in.kind;
   light.position = in.position;
-  const dvec3 axis = in.point_at - in.position;
-  const double length = glm::length(axis);
-  if (length > 0) light.axis = axis / length;
+  light.point_at = in.point_at;
+  light.axis = axis_from(light, in.position);
   light.colour = in.colour;
-  light.spot = in.kind == scene::Light::Kind::spotlight;
   light.parallel = in.parallel;
   light.shadowless = in.shadowless;
-  light.cos_radius = std::cos(glm::radians(in.radius_deg));
-  light.cos_falloff = std::cos(glm::radians(in.falloff_deg));
+  light.dimmed_by_air = in.media_attenuation && in.media_interaction;
+  light.has_area = in.has_area && areas;
+  light.area = in.area;
+  const bool spot = in.kind == Kind::spotlight;
+  light.radius = spot ? std::cos(glm::radians(in.radius_deg)) : in.radius_deg;
+  light.falloff = spot ? std::cos(glm::radians(in.falloff_deg)) : in.falloff_deg;
   light.tightness = in.tightness;
   light.fade_distance = in.fade_distance;
   light.fade_power = in.fade_power;
   return light;
 }
 
-Incidence incidence(const Light& light, dvec3 p) {
+double attenuation(const Light& light, const Incidence& in, dvec3 p) {
+  double a = 1;
+  if (light.kind == Kind::spotlight) {
+    const double cosine = glm::dot(in.l, light.axis);
+    a = cone(light, in.distance > 0 ? -cosine : cosine);
+  } else if (light.kind == Kind::cylinder) {
+    a = beam(light, p);
+  }
+  if (a > 0 && light.fade_power > 0 && std::abs(light.fade_distance) > epsilon) {
+    a *= 2 / (1 + std::pow(in.distance / light.fade_distance, light.fade_power));
+  }
+  return a;
+}
+
+Incidence direction_to(const Light& light, dvec3 offset, dvec3 p) {
   Incidence in;
-  const dvec3 way = light.position - p;
+  const dvec3 position = light.position + offset;
+  const dvec3 way = position - p;
   in.distance = glm::length(way);
   if (in.distance == 0) return in;  // the lamp itself: no direction, no light
   in.l = way / in.distance;
   if (light.parallel) {
-    in.distance *= -glm::dot(light.axis, in.l);
-    in.l = -light.axis;
+    const dvec3 axis = light.has_area ? axis_from(light, position) : light.axis;
+    in.distance *= -glm::dot(axis, in.l);
+    in.l = -axis;
   }
-  in.colour = static_cast<float>(attenuation(light, in.l, in.distance)) * light.colour;
+  return in;
+}
+
+Incidence incidence(const Light& light, dvec3 p) {
+  Incidence in = direction_to(light, dvec3(0.0), p);
+  if (in.l == dvec3(0.0)) return in;
+  in.colour = static_cast<float>(attenuation(light, in, p)) * light.colour;
   return in;
 }
 

@@ -2,26 +2,32 @@
 #pragma once
 
 #include "base/vec.h"
-#include "scene/scene.h"
+#include "scene/light.h"
 
 namespace durer::tracer {
 
 /// A lamp with everything worked out that does not depend on the lit point. World space.
 struct Light {
+  scene::Light::Kind kind = scene::Light::Kind::point;
   dvec3 position{0.0};
+  dvec3 point_at{0, 0, 1};
   dvec3 axis{0, 0, 1};  // unit, from position to point_at
   vec3 colour{0.0F};
-  bool spot = false;
   bool parallel = false;
   bool shadowless = false;
-  double cos_radius = 0;
-  double cos_falloff = 0;
+  bool dimmed_by_air = false;  // fog and atmospheric media weaken it
+  bool has_area = false;
+  double radius = 0;   // spotlight: cosine of the angle; cylinder: a length
+  double falloff = 0;  // likewise
   double tightness = 0;
   double fade_distance = 0;
   double fade_power = 0;
+  scene::LightArea area;
+  std::uint32_t projector = scene::none;  // index into CompiledScene::projectors
 };
 
-[[nodiscard]] Light compile_light(const scene::Light& light);
+/// `areas`: lamps of some extent are such; else they are points.
+[[nodiscard]] Light compile_light(const scene::Light& light, bool areas = true);
 
 /// One lamp as seen from a point.
 struct Incidence {
@@ -31,6 +37,14 @@ struct Incidence {
 };
 
 [[nodiscard]] Incidence incidence(const Light& light, dvec3 p);
+/// The same for one sample of its area, `offset` from its centre. Without colour.
+[[nodiscard]] Incidence direction_to(const Light& light, dvec3 offset, dvec3 p);
+/// Share of the colour that arrives at `p`, before shadows: cones and fading.
+[[nodiscard]] double attenuation(const Light& light, const Incidence& in, dvec3 p);
+
+/// Where sample (u, v) of a lamp's grid is, from its centre. `l`: unit, from the lit point to the
+/// centre. `u` and `v` need not be whole: jitter moves them by up to half.
+[[nodiscard]] dvec3 area_offset(const scene::LightArea& area, double u, double v, dvec3 l);
 
 /// True if a colour is too dark to matter: every component below epsilon in size.
 [[nodiscard]] inline bool dark(vec3 c) {

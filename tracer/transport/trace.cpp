@@ -11,6 +11,7 @@ namespace durer::tracer {
 Scratch::Scratch(const CompiledScene& scene)
     : geometry(scene.geometry.make_scratch()), lamps(scene.lights.size()) {
   reflections.reserve(64);
+  for (const Geometry& g : scene.projectors) projectors.push_back(g.make_scratch());
 }
 
 Tracer::Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha)
@@ -19,11 +20,13 @@ Tracer::Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha)
       alpha_(alpha),
       legacy_opacity_(scene.scene->settings.effective_version < 370),
       translucent_shadows_(scene.geometry.has_translucent_shadows()),
+      air_(scene.quality.atmosphere && !scene.atmosphere.empty()),
       quality_(scene.quality) {
   const scene::Settings& settings = scene.scene->settings;
   limits_.fill({std::clamp(settings.max_trace_level, 1, 256), settings.adc_bailout});
   if (!scene.radiosity) return;
   const RadiosityProgram& r = *scene.radiosity;
+  gathers_air_ = r.settings.media;
   for (std::size_t i = 0; i < r.bounces.size(); ++i) {
     limits_[i + 1] = {r.bounces[i].max_level, static_cast<float>(r.settings.adc_bailout)};
   }
@@ -43,7 +46,15 @@ Radiance Tracer::follow(Path path, bool straight) {
                                           : RayKind::image;
     Hit hit;
     ++scratch_->rays;
-    if (!scene_->geometry.closest(path.ray, t_min, no_hit_depth, kind, hit, *scratch_->geometry)) {
+    const bool met =
+        scene_->geometry.closest(path.ray, t_min, path.reach, kind, hit, *scratch_->geometry);
+    if (air_ && (path.bounce == 0 || gathers_air_) && in_the_open(path.inside)) {
+      const Veil air = veil(path, met ? hit.t : no_hit_depth);
+      sum += through * air.glow;
+      through *= air.through;
+      transmittance *= air.transmittance;
+    }
+    if (!met) {
       const Sky::Seen s = scene_->sky.at(path.ray.d, path.reflected || path.bounce > 0 || !alpha_);
       return {sum + through * s.colour, transmittance * s.transmittance};
     }
@@ -54,6 +65,7 @@ Radiance Tracer::follow(Path path, bool straight) {
     }
     if (!straight) ++path.level;
     Look seen = look(hit, path.ray.d);
+    seen.view.gathering = path.bounce > 0;
     if (seen.blend.count > 1) {
       const Radiance r = blend(seen, hit, path);
       return {sum + through * r.colour, transmittance * r.transmittance};
@@ -101,6 +113,7 @@ Tracer::Look Tracer::look(const Hit& hit, dvec3 d) const {
   view.g = from_inside ? -hit.n : hit.n;
   view.texture = &scene_->textures.program(from_inside ? s.inside : s.outside);
   view.interior = leaf.interior;
+  view.lamps = s.lamps;
   view.double_illuminate = s.double_illuminate;
   view.depth = hit.t;
   // An interior texture hides those of single parts.

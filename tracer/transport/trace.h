@@ -23,6 +23,7 @@ struct FirstHit {
 /// A ray with its history.
 struct Path {
   Ray ray;
+  double reach = no_hit_depth;  // what is farther away is not seen
   float weight = 1;  // share of the pixel it can still change
   int level = 0;     // bends so far
   bool reflected = false;
@@ -53,14 +54,22 @@ struct LampAtPoint {
   bool shadow_known = false;
 };
 
+/// One sample of a lamp of some extent.
+struct AreaSample {
+  vec3 light{0.0F};
+  bool known = false;
+};
+
 /// What one thread may change. Buffers grow once; tracing allocates nothing after that.
 struct Scratch {
   explicit Scratch(const CompiledScene& scene);
 
   GeometryScratchPtr geometry;
   std::uint64_t rays = 0;
-  std::uint32_t noise = 0;              // state of `crand`, set anew for every sample
+  std::uint32_t noise = 0;              // state of random numbers, set anew for every sample
   std::vector<LampAtPoint> lamps;       // parallel to the scene's lights
+  std::vector<AreaSample> area;         // of the lamp that is being asked
+  std::vector<GeometryScratchPtr> projectors;
   std::vector<Reflection> reflections;  // a stack
   std::vector<std::uint32_t> containing;
   RadiosityState radiosity;
@@ -84,10 +93,12 @@ class Tracer {
     dvec3 g{0.0};  // unit geometric normal, towards the viewer
     const TextureProgram* texture = nullptr;
     std::uint32_t interior = 0;
+    std::uint32_t lamps = 0;  // index into Geometry::lamp_sets()
     /// Spaces of the patterned textures around `texture`, outermost first.
     std::uint32_t frame_count = 0;
     std::array<const NormalFrame*, max_texture_depth> frames;
     bool double_illuminate = false;
+    bool gathering = false;  // seen by a ray that gathers indirect light
     double depth = 0;  // from the ray's origin
   };
   // What the layers of a surface send out, and let through.
@@ -112,6 +123,17 @@ class Tracer {
     bool continues = false;
     bool straight = false;
     bool tir = false;  // totally reflected inside
+  };
+
+  // A point that a lamp of some extent may light, and a part of that lamp's grid.
+  struct AreaShadow {
+    const Light& light;
+    const Incidence& centre;
+    dvec3 p;
+    const Containment& inside;
+  };
+  struct AreaPart {
+    int u1, v1, u2, v2;
   };
 
   // A surface whose texture is still to be chosen: `view.texture` is that of the whole object.
@@ -161,13 +183,26 @@ class Tracer {
                              std::size_t first, bool tir);
   [[nodiscard]] vec3 attenuation(const View& view, const Path& path) const;
 
+  [[nodiscard]] bool in_the_open(const Containment& inside) const;
+  [[nodiscard]] Veil veil(const Path& path, double depth);
+
   [[nodiscard]] vec3 illuminate(const View& view, const Path& path, const LayerPoint& layer,
                                 bool first_lit);
+  [[nodiscard]] static bool is_behind(const View& view, const LayerPoint& layer, dvec3 l);
+  [[nodiscard]] vec3 shade_by_area(const View& view, const LayerPoint& layer, const Light& light,
+                                   const LampAtPoint& lamp);
   [[nodiscard]] vec3 shade(const View& view, const LayerPoint& layer, const Light& light,
-                           const LampAtPoint& lamp, bool backside, bool highlights);
+                           const LampAtPoint& lamp, bool backside);
   [[nodiscard]] vec3 shadowed(const Light& light, const Incidence& in, dvec3 p,
-                              const Containment& inside);
-  [[nodiscard]] vec3 walk_shadow(const Incidence& in, dvec3 p, Containment inside);
+                              const Path& path);
+  [[nodiscard]] vec3 point_shadow(const Light& light, const Incidence& in, dvec3 p,
+                                  const Containment& inside);
+  [[nodiscard]] double projected(const Light& light, const Incidence& in, dvec3 p);
+  [[nodiscard]] vec3 walk_shadow(const Light& light, const Incidence& in, dvec3 p, double way,
+                                 Containment inside);
+  [[nodiscard]] dvec3 area_sample(const Light& light, int u, int v, dvec3 l);
+  [[nodiscard]] vec3 area_corner(const AreaShadow& lit, int u, int v);
+  [[nodiscard]] vec3 area_shadow(const AreaShadow& lit, const AreaPart& part, int level);
   [[nodiscard]] vec3 shadow_factor(const Hit& hit, dvec3 l, const Containment& inside) const;
   [[nodiscard]] vec3 shadow_factor(const View& view, const Containment& inside) const;
 
@@ -184,13 +219,12 @@ class Tracer {
   bool alpha_;
   bool legacy_opacity_;
   bool translucent_shadows_;
+  bool air_;  // there is fog or the like …
+  bool gathers_air_ = false;  // … and rays that gather indirect light see it
   Quality quality_;
 };
 
 /// The mirror image of `d` about `n`, kept on the side of `g` (shading §4.8).
 [[nodiscard]] dvec3 mirror(dvec3 d, dvec3 n, dvec3 g);
-
-/// One step of the random numbers of `crand`, 0…1 (shading §9).
-[[nodiscard]] float next_noise(std::uint32_t& state);
 
 }  // namespace durer::tracer

@@ -45,6 +45,68 @@ TEST_CASE("lights: the cone of a spotlight", "[tracer][lights]") {
   }
 }
 
+TEST_CASE("lights: a cylinder of light", "[tracer][lights]") {
+  White s;
+  s.lamp().kind = scene::Light::Kind::cylinder;
+  s.lamp().position = {0, 0, -50};
+  s.lamp().parallel = true;
+  s.lamp().radius_deg = 3;
+  s.lamp().falloff_deg = 10;
+  s.lamp().tightness = 2;
+  s.lamp().point_at = {6, 0, 0};
+  check_pixel(s.scene, vec3(0.099855F));
+}
+
+TEST_CASE("lights: groups keep their lamps to themselves", "[tracer][lights]") {
+  // The wall is outside; the body before it, which the camera sees, is in the group.
+  White s;
+  s.lamp().position = {0, 0, -50};
+  s.lamp().colour = vec3(0.5F);
+  const bool global = GENERATE(true, false);
+  CAPTURE(global);
+  scene::Object group;
+  group.kind = scene::NodeKind::light_group;
+  group.global_lights = global;
+  scene::Light own;
+  own.position = {0, 0, -20};
+  own.colour = vec3(0.25F);
+  s.scene.lights.push_back(own);
+  scene::Object lamp;
+  lamp.kind = scene::NodeKind::light;
+  lamp.light = 1;
+  scene::Object disc = s.blocker("disc", rgbft(1, 1, 1));
+  disc.args = {0, 0, -1, 0, 0, 1, 1, 0};
+  disc.texture = s.scene.objects[0].texture;
+  s.scene.roots.pop_back();
+  for (const scene::Object& o : {lamp, disc}) {
+    s.scene.objects.push_back(o);
+    group.children.push_back(static_cast<scene::ObjectId>(s.scene.objects.size() - 1));
+  }
+  s.root(group);
+  SECTION("inside") { check_pixel(s.scene, vec3(global ? 0.75F : 0.25F)); }
+  SECTION("outside, in the shadow of the group") {
+    s.look_straight({3, 0, -5}, {0, 0, 1});
+    const float cosine = 50 / std::sqrt(2509.0F);
+    check_pixel(s.scene, vec3(0.5F * cosine), 1e-4);
+  }
+}
+
+TEST_CASE("lights: shining through an object", "[tracer][lights]") {
+  White s;
+  s.lamp().position = {0, 0, -10};
+  const double x = GENERATE(0.0, 3.0);
+  scene::Object window;
+  window.type = s.primitive("disc");
+  window.args = {x, 0, -5, 0, 0, 1, 1, 0};
+  s.scene.objects.push_back(window);
+  s.lamp().projected_through = static_cast<scene::ObjectId>(s.scene.objects.size() - 1);
+  SECTION("alone") {}
+  SECTION("what is behind it casts no shadow") {
+    s.add("disc", {0, 0, -7, 0, 0, 1, 1, 0}, s.texture(plain(rgbft(1, 1, 1)), dull())).no_image = true;
+  }
+  check_pixel(s.scene, vec3(x == 0 ? 1.0F : 0.0F));
+}
+
 TEST_CASE("lights: parallel light", "[tracer][lights]") {
   White s;
   s.lamp().parallel = true;

@@ -1,0 +1,105 @@
+#include "tracer/film/eye.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace durer::tracer {
+namespace {
+
+constexpr Pixel nothing(0.0F, 0.0F, 0.0F, 1.0F);  // transparent black
+
+// Well-mixed start of the random numbers of one sample.
+std::uint32_t seed(double x, double y, std::uint32_t index) {
+  const auto whole = [](double v) { return static_cast<std::uint32_t>(std::lround(v)); };
+  std::uint32_t h = whole(x) * 0x8DA6B343U ^ whole(y) * 0xD8163841U ^ index * 0xCB1AB31FU;
+  h = (h ^ (h >> 16)) * 0x7FEB352DU;
+  h = (h ^ (h >> 15)) * 0x846CA68BU;
+  return h ^ (h >> 16);
+}
+
+}  // namespace
+
+Viewpoint::Viewpoint(const CompiledScene& s, const RenderOptions& o)
+    : scene(&s), options(&o), camera(s.scene->camera), lens(*s.scene), bumps(s.scene->settings) {
+  const scene::Camera& c = s.scene->camera;
+  if (c.normal->pattern.exists()) bump = bumps.add(*c.normal, {});
+  const bool flat = c.kind == scene::Camera::Kind::perspective;
+  one_origin = camera.type->one_origin && !(flat && lens.blurs());
+  if (c.kind == scene::Camera::Kind::mesh_camera) {
+    turns = c.mesh->rays;
+    if (c.mesh->reach > 0) reach = c.mesh->reach;
+  }
+}
+
+void Eye::begin(const IrradianceCache* cache, std::uint32_t seed) {
+  const std::optional<RadiosityProgram>& r = view_->scene->radiosity;
+  if (!r) return;
+  scratch_.radiosity.begin(cache, true, seed, static_cast<std::uint32_t>(r->directions.size()));
+}
+
+Pixel Eye::see(double x, double y, std::uint32_t index) {
+  if (!view_->lens.blurs()) return plain(x, y, index);
+  return view_->lens.blur([&](int n) { return through_lens(x, y, index, n); });
+}
+
+bool Eye::camera_ray(double x, double y, int turn, CameraRay& out) {
+  const RenderOptions& o = *view_->options;
+  const PictureSpot spot{(x + 0.5) / o.width - 0.5, 0.5 - (y + 0.5) / o.height, x, y, o.width,
+                         o.height, turn};
+  return view_->camera.ray(spot, workspace_, out);
+}
+
+/// The mean over the rays that there are.
+Pixel Eye::plain(double x, double y, std::uint32_t index) {
+  CameraRay ray;
+  if (view_->turns == 1) {
+    return camera_ray(x, y, 0, ray) ? look_along(ray, x, y, index) : nothing;
+  }
+  Pixel sum(0.0F);
+  int seen = 0;
+  for (int turn = 0; turn < view_->turns; ++turn) {
+    if (!camera_ray(x, y, turn, ray)) continue;
+    ++seen;
+    sum += look_along(ray, x, y, index);
+  }
+  return seen == 0 ? nothing : sum / static_cast<float>(seen);
+}
+
+// Rays through all parts of the lens meet again at the focal distance (shading §2.7).
+Pixel Eye::through_lens(double x, double y, std::uint32_t index, int sample) {
+  const scene::Camera& c = *view_->camera.in;
+  const dvec2 at = view_->lens.moved(x, y, sample);
+  CameraRay ray;
+  if (!camera_ray(at.x, at.y, 0, ray)) return nothing;
+  const dvec2 part = view_->lens.on_lens(at, sample);
+  const dvec3 across = glm::normalize(glm::cross(c.up, c.direction));
+  const dvec3 upwards = glm::normalize(glm::cross(c.direction, across));
+  const dvec3 shift = part.x * across - part.y * upwards;
+  ray.ray.o = c.location + shift;
+  ray.ray.d = c.lens->focal_distance / glm::length(c.direction) * ray.ray.d - shift;
+  return look_along(ray, x, y, index * 4099 + static_cast<std::uint32_t>(sample));
+}
+
+Pixel Eye::look_along(CameraRay ray, double x, double y, std::uint32_t index) {
+  scratch_.noise = seed(x, y, index);
+  Path path;
+  path.ray = {ray.ray.o, glm::normalize(ray.ray.d)};
+  if (view_->bump != scene::none) {
+    const dvec3 place(ray.plane.x, ray.plane.y, 0);
+    path.ray.d = glm::normalize(view_->bumps.at(view_->bump, place, path.ray.d, nullptr));
+  }
+  path.reach = view_->reach;
+  path.inside = view_->one_origin ? view_->scene->around_camera : around(path.ray.o);
+  const Radiance r = tracer_.trace(path);
+  return {r.colour, r.transmittance};
+}
+
+Containment Eye::around(dvec3 p) {
+  Containment inside;
+  scratch_.containing.clear();
+  view_->scene->geometry.containing(p, scratch_.containing, *scratch_.geometry);
+  for (const std::uint32_t id : scratch_.containing) inside.append(id);
+  return inside;
+}
+
+}  // namespace durer::tracer

@@ -1,0 +1,58 @@
+// One sample of the picture: through camera and lens into the scene (shading §2).
+#pragma once
+
+#include "tracer/cameras/camera.h"
+#include "tracer/film/lens.h"
+#include "tracer/render.h"
+#include "tracer/shading/normal.h"
+#include "tracer/transport/trace.h"
+
+namespace durer::tracer {
+
+/// What samples of a picture need and no thread changes.
+struct Viewpoint {
+  Viewpoint(const CompiledScene& scene, const RenderOptions& options);
+
+  const CompiledScene* scene;
+  const RenderOptions* options;
+  Camera camera;
+  LensSampling lens;
+  NormalStore bumps;  // of the camera
+  NormalId bump = scene::none;
+  bool one_origin = true;  // all rays start where the camera is
+  int turns = 1;           // rays per sample
+  double reach = no_hit_depth;
+};
+
+/// Looks, on behalf of one thread.
+class Eye {
+ public:
+  explicit Eye(const Viewpoint& view)
+      : view_(&view), scratch_(*view.scene), tracer_(*view.scene, scratch_, view.options->alpha) {}
+
+  /// The picture at (x, y), in pixels: whole numbers are centres. `index` tells the samples of a
+  /// pixel apart.
+  [[nodiscard]] Pixel see(double x, double y, std::uint32_t index);
+
+  /// Before a block of the final picture: what is known of indirect light. `seed` is its own.
+  void begin(const IrradianceCache* cache, std::uint32_t seed);
+  /// The same for one ray through the middle of the lens, for the sake of what it gathers.
+  void probe(double x, double y) { plain(x, y, 0); }
+  [[nodiscard]] RadiosityState& radiosity() { return scratch_.radiosity; }
+
+  [[nodiscard]] std::uint64_t rays() const { return scratch_.rays; }
+
+ private:
+  [[nodiscard]] bool camera_ray(double x, double y, int turn, CameraRay& out);
+  Pixel plain(double x, double y, std::uint32_t index);
+  [[nodiscard]] Pixel through_lens(double x, double y, std::uint32_t index, int sample);
+  [[nodiscard]] Pixel look_along(CameraRay ray, double x, double y, std::uint32_t index);
+  [[nodiscard]] Containment around(dvec3 p);
+
+  const Viewpoint* view_;
+  Scratch scratch_;
+  Tracer tracer_;
+  functions::Workspace workspace_;
+};
+
+}  // namespace durer::tracer

@@ -1,0 +1,166 @@
+// What stands between a point and a lamp (shading §6.4-6.6).
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "tracer/random.h"
+#include "tracer/transport/texture_parts.h"
+
+namespace durer::tracer {
+
+vec3 Tracer::shadowed(const Light& light, const Incidence& in, dvec3 p, const Path& path) {
+  if (!quality_.shadows || (light.shadowless && light.projector == scene::none)) return in.colour;
+  if (!light.has_area || path.bounce > 0) return point_shadow(light, in, p, path.inside);
+  scratch_->area.assign(static_cast<std::size_t>(light.area.n1 * light.area.n2), {});
+  const AreaShadow whole{light, in, p, path.inside};
+  return area_shadow(whole, {0, 0, light.area.n1 - 1, light.area.n2 - 1}, 0);
+}
+
+// Where nothing is translucent any blocker will do; otherwise the nearest ones are asked in turn,
+// which costs a lit point no more.
+vec3 Tracer::point_shadow(const Light& light, const Incidence& in, dvec3 p,
+                          const Containment& inside) {
+  double way = in.distance;
+  if (light.projector != scene::none) {
+    way = projected(light, in, p);
+    if (way < 0) return vec3(0.0F);
+    if (light.shadowless) return in.colour;
+  }
+  if (way <= 2 * t_shadow) return in.colour;
+  const bool dimmed = air_ && light.dimmed_by_air && scene_->atmosphere.foggy();
+  if (translucent_shadows_ || dimmed) return walk_shadow(light, in, p, way, inside);
+  ++scratch_->rays;
+  const bool blocked =
+      scene_->geometry.occluded({p, in.l}, t_shadow, way - t_shadow, *scratch_->geometry);
+  return blocked ? vec3(0.0F) : in.colour;
+}
+
+// How far away the object is through which the lamp shines; negative if not in between.
+double Tracer::projected(const Light& light, const Incidence& in, dvec3 p) {
+  Hit hit;
+  const bool met = scene_->projectors[light.projector].closest(
+      {p, in.l}, t_min, in.distance, RayKind::image, hit, *scratch_->projectors[light.projector]);
+  return met ? hit.t : -1;
+}
+
+// From one surface to the next, up to `way`; surfaces nearer than t_shadow behind each other count
+// as one.
+vec3 Tracer::walk_shadow(const Light& light, const Incidence& in, dvec3 p, double way,
+                         Containment inside) {
+  static const double beyond = std::nextafter(t_shadow, 1.0);
+  const bool dimmed = air_ && light.dimmed_by_air;
+  const double unobstructed = in.distance - way;  // behind the object that the lamp shines through
+  vec3 left = in.colour;
+  Ray ray{p, in.l};
+  Hit hit;
+  for (;;) {
+    ++scratch_->rays;
+    const bool met = way > 2 * t_shadow &&
+                     scene_->geometry.closest(ray, beyond, way - t_shadow, RayKind::shadow, hit,
+                                              *scratch_->geometry);
+    if (met) left *= shadow_factor(hit, in.l, inside);
+    const double depth = met ? hit.t : way + unobstructed;
+    if (dimmed && depth > t_shadow && in_the_open(inside)) {
+      left *= scene_->atmosphere.fog_shadow(ray, depth);
+    }
+    if (!met) return left;
+    if (dark(left)) return vec3(0.0F);
+    inside.toggle(scene_->geometry.leaves()[hit.leaf].interior);
+    ray.o = hit.p;
+    way -= hit.t;
+  }
+}
+
+// A sample of a lamp's area, from its centre; `l` points from the lit point to that.
+dvec3 Tracer::area_sample(const Light& light, int u, int v, dvec3 l) {
+  double a = u;
+  double b = v;
+  if (light.area.jitter) {
+    a += random_unit(scratch_->noise) - 0.5;
+    b += random_unit(scratch_->noise) - 0.5;
+  }
+  return area_offset(light.area, a, b, l);
+}
+
+// The light of one sample; asked again, it answers the same.
+vec3 Tracer::area_corner(const AreaShadow& lit, int u, int v) {
+  const auto place = static_cast<std::size_t>(v * lit.light.area.n1 + u);
+  if (scratch_->area[place].known) return scratch_->area[place].light;
+  Incidence in = direction_to(lit.light, area_sample(lit.light, u, v, lit.centre.l), lit.p);
+  in.colour = lit.centre.colour;
+  const vec3 light = point_shadow(lit.light, in, lit.p, lit.inside);
+  scratch_->area[place] = {light, true};
+  return light;
+}
+
+// The mean of a rectangle's corners; where they differ, of its quarters. So samples weigh more the
+// finer the division around them is, as in the oracle.
+vec3 Tracer::area_shadow(const AreaShadow& lit, const AreaPart& r, int level) {
+  const std::array corner{area_corner(lit, r.u1, r.v1), area_corner(lit, r.u2, r.v1),
+                          area_corner(lit, r.u1, r.v2), area_corner(lit, r.u2, r.v2)};
+  const vec3 mean = (corner[0] + corner[1] + corner[2] + corner[3]) * 0.25F;
+  if (r.u2 - r.u1 <= 1 && r.v2 - r.v1 <= 1) return mean;
+  const auto differ = [](vec3 a, vec3 b) {
+    const vec3 e = a - b;
+    return std::abs(e.x) + std::abs(e.y) + std::abs(e.z) > 0.1F;
+  };
+  if (level >= lit.light.area.adaptive && !differ(corner[0], corner[1]) &&
+      !differ(corner[1], corner[3]) && !differ(corner[3], corner[2]) &&
+      !differ(corner[2], corner[0])) {
+    return mean;
+  }
+  const int u_low = (r.u1 + r.u2) / 2;
+  const int v_low = (r.v1 + r.v2) / 2;
+  const int u_high = (r.u1 + r.u2 + 1) / 2;
+  const int v_high = (r.v1 + r.v2 + 1) / 2;
+  vec3 sum = area_shadow(lit, {r.u1, r.v1, u_low, v_low}, level + 1);
+  sum += area_shadow(lit, {u_high, r.v1, r.u2, v_low}, level + 1);
+  sum += area_shadow(lit, {r.u1, v_high, u_low, r.v2}, level + 1);
+  sum += area_shadow(lit, {u_high, v_high, r.u2, r.v2}, level + 1);
+  return sum * 0.25F;
+}
+
+// What a surface leaves of light that shines straight through it.
+vec3 Tracer::shadow_factor(const Hit& hit, dvec3 l, const Containment& inside) const {
+  const Look seen = look(hit, l);
+  if (seen.blend.count <= 1) return shadow_factor(seen.view, inside);
+  vec3 sum(0.0F);
+  for (std::uint32_t i = 0; i < seen.blend.count; ++i) {
+    const TextureBlend::Part& part = seen.blend.parts[i];
+    if (part.weight < limits_[0].adc) continue;
+    View view = seen.view;
+    dress(view, seen, hit, part.texture);
+    sum += part.weight * shadow_factor(view, inside);
+  }
+  return sum;
+}
+
+vec3 Tracer::shadow_factor(const View& view, const Containment& inside) const {
+  if (view.texture->opaque) return vec3(0.0F);
+  if (view.texture->patterned()) {
+    vec3 sum(0.0F);
+    for_parts(view, [&](const View& part, float weight) {
+      sum += weight * shadow_factor(part, inside);
+    });
+    return sum;
+  }
+  const TextureStore& textures = scene_->textures;
+  const Interior& body = scene_->interiors[view.interior];
+  vec3 k(1.0F);
+  SurfaceView seen{view.p, view.d, view.g};
+  for (std::uint32_t i = view.texture->first_layer; i < view.texture->end_layer; ++i) {
+    const LayerProgram& layer = textures.layer(i);
+    // Only caustics ask for bumps; without them, patterns too see the bare surface.
+    const bool bumpy = layer.normal != scene::none && body.caustics != 0;
+    const dvec3 n = bumpy ? bend(view, layer, seen) : view.g;
+    k *= textures.pigments().at(layer.pigment, layer.by_uv ? view.uv : view.q, &seen).transmission();
+    if (body.caustics != 0) {
+      k *= static_cast<float>(1 + std::pow(std::abs(glm::dot(n, view.d)), body.caustics));
+    }
+  }
+  if (body.fade_power > 0 && fades(body) && inside.contains(view.interior)) {
+    k *= fade(body, view.depth);
+  }
+  return k;
+}
+
+}  // namespace durer::tracer
