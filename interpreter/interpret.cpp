@@ -164,9 +164,9 @@ void Interpreter::top_level() {
           warn(Code::scene, t.span, "the scene has several sky spheres; the last one is used");
         scene_.sky_sphere = read_sky_sphere(t.span);
         break;
+      case w::media: scene_.atmosphere.push_back(read_media(t.span)); break;
       case w::fog:
-      case w::rainbow:
-      case w::media: not_supported(fmt::format("`{}`", name_of(t.word)), t.span);
+      case w::rainbow: not_supported(fmt::format("`{}`", name_of(t.word)), t.span);
       default: unexpected(t, "an object or directive");
     }
   }

@@ -97,9 +97,8 @@ void Interpreter::read_light_items(scene::Object& o, scene::Light& l, const Toke
         break;
       case w::fade_distance: l.fade_distance = read_float(); break;
       case w::fade_power: l.fade_power = read_float(); break;
-      // Both are about media and fog, which report themselves.
-      case w::media_attenuation:
-      case w::media_interaction: read_switch(true); break;
+      case w::media_attenuation: l.media_attenuation = read_switch(true); break;
+      case w::media_interaction: l.media_interaction = read_switch(true); break;
       case w::cylinder:
         cylinder = true;
         unsupported("a cylinder light");

@@ -11,6 +11,7 @@
 #include "base/chunked.h"
 #include "base/colour.h"
 #include "base/gamma.h"
+#include "scene/media.h"
 #include "scene/object.h"
 #include "scene/origin.h"
 #include "scene/texture.h"
@@ -32,6 +33,8 @@ struct Light {
   double tightness = 0;
   double fade_distance = 0;  // 0: off
   double fade_power = 0;
+  bool media_interaction = true;   // media scatter its light
+  bool media_attenuation = false;  // the atmosphere dims it
   OriginId origin = 0;
 };
 
@@ -96,6 +99,7 @@ struct Scene {
   std::vector<Light> lights;
   std::vector<Texture> textures;
   std::vector<Interior> interiors;
+  std::vector<Media> atmosphere;  // media that fill the space outside of bodies, and hollow ones
   Camera camera;
   Colour background{.rgb = vec3(0.0F), .filter = 0, .transmit = 1};
   std::optional<SkySphere> sky_sphere;

@@ -30,6 +30,7 @@ bool all_supported(const scene::Scene& scene, const Geometry& geometry, Diagnost
     const scene::InteriorId interior = geometry.interiors()[leaf.interior].interior;
     if (interior != scene::none) report.check_interior(interior);
   }
+  report.check_media(scene.atmosphere);
   if (scene.sky_sphere) {
     for (const scene::Pigment& p : scene.sky_sphere->pigments) report.check_sky_pigment(p);
   }
@@ -74,7 +75,11 @@ void compile_interiors(const scene::Scene& scene, CompiledScene& out) {
     const scene::InteriorId id = instances[i].interior;
     const scene::Interior* interior = id == scene::none ? nullptr : &scene.interiors[id];
     out.interiors.push_back(compile_interior(interior, instances[i].hollow, finishes[i]));
+    if (interior != nullptr && out.quality.media) {
+      out.interiors.back().media = out.media.add(*interior->media, instances[i].to_world);
+    }
   }
+  if (out.quality.media) out.atmosphere = out.media.add(scene.atmosphere, {});
 }
 
 void find_camera(const scene::Scene& scene, CompiledScene& out) {

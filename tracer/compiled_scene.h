@@ -26,7 +26,7 @@ struct SurfaceProgram {
 
 struct CompiledScene {
   CompiledScene(const scene::Scene& s, Geometry g, Quality q)
-      : scene(&s), quality(q), geometry(std::move(g)), textures(s, q), sky(s) {}
+      : scene(&s), quality(q), geometry(std::move(g)), textures(s, q), sky(s), media(s.settings) {}
 
   const scene::Scene* scene;
   Quality quality;
@@ -37,6 +37,8 @@ struct CompiledScene {
   std::vector<ProgramId> part_textures;
   std::vector<Interior> interiors;       // parallel to geometry.interiors()
   std::vector<Light> lights;
+  MediaStore media;       // empty at qualities that leave media out
+  MediaRange atmosphere;  // of `media`
   Containment around_camera;  // bodies that hold the camera's location
 };
 

@@ -12,7 +12,8 @@ struct Quality {
         quick_colours(level <= 5),
         transparency(level >= 6),
         reflection(level >= 8),
-        normals(level >= 8) {}
+        normals(level >= 8),
+        media(level >= 9) {}
 
   bool lights;         // without them a surface shows its innermost visible pigment
   bool shadows;
@@ -21,6 +22,7 @@ struct Quality {
   bool transparency;   // else what is behind a surface is black
   bool reflection;
   bool normals;
+  bool media;
 };
 
 }  // namespace durer::tracer

@@ -8,10 +8,10 @@ durer_library(tracer
     compile.cpp pigment_queries.cpp unsupported.cpp
     patterns/patterns.cpp patterns/program.cpp ${pattern_sources}
     warps/warps.cpp ${warp_sources}
-    shading/finish.cpp shading/interior.cpp shading/normal.cpp shading/pigment.cpp shading/sky.cpp shading/spectrum.cpp
+    shading/finish.cpp shading/interior.cpp shading/media.cpp shading/normal.cpp shading/pigment.cpp shading/sky.cpp shading/spectrum.cpp
     shading/texture.cpp
     lights/light.cpp
-    transport/light.cpp transport/surface.cpp transport/texture_parts.cpp transport/trace.cpp
+    transport/light.cpp transport/media.cpp transport/media_lights.cpp transport/surface.cpp transport/texture_parts.cpp transport/trace.cpp
     film/antialias.cpp film/jitter.cpp film/progress.cpp film/render.cpp
   LINKS durer::geometry durer::scene durer::functions
   PRIVATE_LINKS TBB::tbb fmt::fmt)

@@ -54,6 +54,8 @@ Light compile_light(const scene::Light& in) {
   light.tightness = in.tightness;
   light.fade_distance = in.fade_distance;
   light.fade_power = in.fade_power;
+  light.media_interaction = in.media_interaction;
+  light.media_attenuation = in.media_attenuation;
   return light;
 }
 

@@ -19,6 +19,8 @@ struct Light {
   double tightness = 0;
   double fade_distance = 0;
   double fade_power = 0;
+  bool media_interaction = true;
+  bool media_attenuation = false;
 };
 
 [[nodiscard]] Light compile_light(const scene::Light& light);

@@ -11,6 +11,13 @@ float next_noise(std::uint32_t& state) {
   return static_cast<float>(state / 4294967295.0);
 }
 
+double next_random(std::uint32_t& state) {
+  // O'Neill, "PCG", 2014: RXS-M-XS 32.
+  state = state * 747796405U + 2891336453U;
+  const std::uint32_t x = ((state >> ((state >> 28) + 4)) ^ state) * 277803737U;
+  return ((x >> 22) ^ x) / 4294967296.0;
+}
+
 vec3 Tracer::illuminate(const View& view, const Path& path, const LayerPoint& layer,
                         bool first_lit) {
   vec3 sum(0.0F);
@@ -55,15 +62,20 @@ vec3 Tracer::shade(const View& view, const LayerPoint& layer, const Light& light
 // which costs a lit point no more.
 vec3 Tracer::shadowed(const Light& light, const Incidence& in, dvec3 p, const Containment& inside) {
   if (!quality_.shadows || light.shadowless || in.distance <= 2 * t_shadow) return in.colour;
-  if (translucent_shadows_) return walk_shadow(in, p, inside);
+  const bool dimmed =
+      light.media_attenuation && light.media_interaction && !scene_->atmosphere.empty();
+  if (translucent_shadows_) return walk_shadow(in, p, inside, dimmed);
   ++scratch_->rays;
-  const bool blocked =
-      scene_->geometry.occluded({p, in.l}, t_shadow, in.distance - t_shadow, *scratch_->geometry);
-  return blocked ? vec3(0.0F) : in.colour;
+  const Ray ray{p, in.l};
+  if (scene_->geometry.occluded(ray, t_shadow, in.distance - t_shadow, *scratch_->geometry)) {
+    return vec3(0.0F);
+  }
+  if (!dimmed || !hollow(inside)) return in.colour;
+  return in.colour * light_through_air(ray, in.distance, inside);
 }
 
 // From one surface to the next; surfaces nearer than t_shadow behind each other count as one.
-vec3 Tracer::walk_shadow(const Incidence& in, dvec3 p, Containment inside) {
+vec3 Tracer::walk_shadow(const Incidence& in, dvec3 p, Containment inside, bool dimmed) {
   static const double beyond = std::nextafter(t_shadow, 1.0);
   vec3 light = in.colour;
   Ray ray{p, in.l};
@@ -74,10 +86,12 @@ vec3 Tracer::walk_shadow(const Incidence& in, dvec3 p, Containment inside) {
     if (left <= 2 * t_shadow ||
         !scene_->geometry.closest(ray, beyond, left - t_shadow, RayKind::shadow, hit,
                                   *scratch_->geometry)) {
-      return light;
+      return dimmed && hollow(inside) ? light * light_through_air(ray, left, inside) : light;
     }
     light *= shadow_factor(hit, in.l, inside);
     if (dark(light)) return vec3(0.0F);
+    if (!scene_->media.empty()) light *= light_through_bodies(ray, hit.t, inside);
+    if (dimmed) light *= light_through_air(ray, hit.t, inside);
     inside.toggle(scene_->geometry.leaves()[hit.leaf].interior);
     ray.o = hit.p;
     left -= hit.t;

@@ -33,7 +33,15 @@ Radiance Tracer::follow(Path path, bool straight) {
     const RayKind kind = path.reflected ? RayKind::reflection : RayKind::image;
     Hit hit;
     ++scratch_->rays;
-    if (!scene_->geometry.closest(path.ray, t_min, no_hit_depth, kind, hit, *scratch_->geometry)) {
+    const bool met =
+        scene_->geometry.closest(path.ray, t_min, no_hit_depth, kind, hit, *scratch_->geometry);
+    if (!scene_->media.empty()) {
+      const MediaEffect media = media_along(path, met ? hit.t : no_hit_depth, met);
+      sum += through * media.added;
+      through *= media.kept;
+      transmittance *= grey(media.kept);
+    }
+    if (!met) {
       const Sky::Seen s = scene_->sky.at(path.ray.d, path.reflected || !alpha_);
       return {sum + through * s.colour, transmittance * s.transmittance};
     }

@@ -42,6 +42,26 @@ struct LampAtPoint {
   bool shadow_known = false;
 };
 
+/// What media along a ray do to the light from its far end.
+struct MediaEffect {
+  vec3 added{0.0F};  // light that they send towards the ray's origin
+  vec3 depth{0.0F};  // optical depth
+  vec3 kept{1.0F};   // share of the light behind that comes through
+};
+
+/// Where a lamp shines on a ray, in units of t.
+struct LampSpan {
+  std::uint32_t light = 0;
+  double from = 0;
+  double to = 0;
+};
+/// A part of a ray that some lamp shines on, or none.
+struct LitPart {
+  double from = 0;
+  double to = 0;
+  bool lit = false;
+};
+
 /// What one thread may change. Buffers grow once; tracing allocates nothing after that.
 struct Scratch {
   explicit Scratch(const CompiledScene& scene);
@@ -52,6 +72,9 @@ struct Scratch {
   std::vector<LampAtPoint> lamps;       // parallel to the scene's lights
   std::vector<Reflection> reflections;  // a stack
   std::vector<std::uint32_t> containing;
+  std::vector<std::uint32_t> media;   // a stack: those that are being integrated
+  std::vector<LampSpan> lamp_spans;   // of the ray whose media are being integrated
+  std::vector<LitPart> lit_parts;
 };
 
 /// Traces rays of one thread.
@@ -63,6 +86,7 @@ class Tracer {
   [[nodiscard]] Radiance trace(Path path) { return follow(path, false); }
 
  private:
+  friend class MediaIntegrator;
   // A surface that is being looked at.
   struct View {
     dvec3 p{0.0};
@@ -138,9 +162,15 @@ class Tracer {
                            const LampAtPoint& lamp, bool backside);
   [[nodiscard]] vec3 shadowed(const Light& light, const Incidence& in, dvec3 p,
                               const Containment& inside);
-  [[nodiscard]] vec3 walk_shadow(const Incidence& in, dvec3 p, Containment inside);
+  [[nodiscard]] vec3 walk_shadow(const Incidence& in, dvec3 p, Containment inside, bool dimmed);
   [[nodiscard]] vec3 shadow_factor(const Hit& hit, dvec3 l, const Containment& inside) const;
   [[nodiscard]] vec3 shadow_factor(const View& view, const Containment& inside) const;
+
+  // media.cpp
+  [[nodiscard]] bool hollow(const Containment& inside) const;
+  [[nodiscard]] MediaEffect media_along(const Path& path, double depth, bool met);
+  [[nodiscard]] vec3 light_through_bodies(const Ray& ray, double depth, const Containment& inside);
+  [[nodiscard]] vec3 light_through_air(const Ray& ray, double depth, const Containment& inside);
 
   const CompiledScene* scene_;
   Scratch* scratch_;
@@ -154,6 +184,9 @@ class Tracer {
 
 /// The mirror image of `d` about `n`, kept on the side of `g` (shading §4.8).
 [[nodiscard]] dvec3 mirror(dvec3 d, dvec3 n, dvec3 g);
+
+/// A random number, 0 included, 1 excluded; all bits of it are good.
+[[nodiscard]] double next_random(std::uint32_t& state);
 
 /// One step of the random numbers of `crand`, 0…1 (shading §9).
 [[nodiscard]] float next_noise(std::uint32_t& state);
