@@ -86,7 +86,7 @@ MediaProgram compile(const scene::Media& in) {
   out.intervals = in.intervals;
   out.min_samples = in.min_samples;
   out.max_samples = in.max_samples;
-  out.ratio = static_cast<float>(in.ratio);
+  out.ratio = in.ratio;
   out.jitter = in.jitter;
   out.aa_threshold = in.aa_threshold;
   out.aa_level = in.aa_level;
@@ -130,14 +130,23 @@ vec3 MediaStore::density(const MediaProgram& media, dvec3 p) const {
 }
 
 double phase_factor(const MediaProgram& media, double cosine) {
+  const auto eighth_power = [](double x) {
+    x *= x;
+    x *= x;
+    return x * x;
+  };
   switch (media.phase) {
     case scene::Phase::isotropic: return 1;
-    case scene::Phase::mie_hazy: return 0.576655375 * (1 + 9 * std::pow((1 + cosine) / 2, 8));
-    case scene::Phase::mie_murky: return 0.495714547 * (1 + 50 * std::pow((1 + cosine) / 2, 32));
+    case scene::Phase::mie_hazy: return 0.576655375 * (1 + 9 * eighth_power((1 + cosine) / 2));
+    case scene::Phase::mie_murky: {
+      const double x = eighth_power((1 + cosine) / 2);
+      return 0.495714547 * (1 + 50 * (x * x) * (x * x));
+    }
     case scene::Phase::rayleigh: return 0.799372013 * (1 + cosine * cosine);
     case scene::Phase::henyey_greenstein: {
       const double g = media.eccentricity;
-      return (1 - g * g) / std::pow(1 + g * g - 2 * g * cosine, 1.5);
+      const double x = 1 + g * g - 2 * g * cosine;
+      return (1 - g * g) / (x * std::sqrt(x));
     }
   }
   return 1;

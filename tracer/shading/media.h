@@ -32,7 +32,7 @@ struct MediaProgram {
   int intervals = 1;
   int min_samples = 10;
   int max_samples = 10;
-  float ratio = 0.9F;
+  double ratio = 0.9;
   double jitter = 0;
   double aa_threshold = 0.1;
   int aa_level = 3;

@@ -61,7 +61,7 @@ MediaEffect MediaIntegrator::integrate() {
       const bool whole = !parts[0].lit && !leader_->has_density;
       divide(parts[0], whole ? 1 : wanted, effect);
     } else {
-      float sum = 0;
+      double sum = 0;
       const auto weight = [&](const LitPart& p) {
         return p.lit ? leader_->ratio : 1 - leader_->ratio;
       };
@@ -69,7 +69,7 @@ MediaEffect MediaIntegrator::integrate() {
       int left = wanted;
       for (int i = 0; i < n; ++i) {
         const LitPart part = parts[static_cast<std::size_t>(i)];
-        const int share = static_cast<int>(weight(part) / sum * static_cast<float>(wanted)) + 1;
+        const int share = static_cast<int>(weight(part) / sum * wanted) + 1;
         const int count = std::min(share, left - n + i + 1);
         divide(part, count, effect);
         left -= count;
@@ -228,6 +228,7 @@ MediaIntegrator::Sample MediaIntegrator::at(const Interval& interval, double u) 
   vec3 scattering(0.0F);
   for (std::uint32_t i = first_; i < end_; ++i) {
     const MediaProgram& m = media(i);
+    if (shadow_ && !m.dims) continue;
     const vec3 density = m.varies ? scene_.media.density(m, p) : m.density;
     extinction += density * m.extinction;
     emission += density * m.emission;
