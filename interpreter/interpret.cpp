@@ -166,7 +166,7 @@ void Interpreter::top_level() {
         break;
       case w::fog: scene_.fogs.push_back(read_fog(t.span)); break;
       case w::rainbow: scene_.rainbows.push_back(read_rainbow(t.span)); break;
-      case w::media: not_supported(fmt::format("`{}`", name_of(t.word)), t.span);
+      case w::media: scene_.atmosphere.push_back(read_media(t.span)); break;
       default: unexpected(t, "an object or directive");
     }
   }

@@ -28,6 +28,9 @@
 
 namespace durer::interpreter {
 
+/// Moves everything in a medium that has a place.
+void move_densities(scene::Media& media, const Transform& by);
+
 class Font;
 class MeshBuilder;
 
@@ -564,6 +567,17 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   Boxed<scene::Finish> read_shared_finish(const Boxed<scene::Finish>& start);
   void read_reflection(scene::Finish& finish);
   scene::InteriorId read_interior();
+  static void put_interior(scene::Object& object, scene::InteriorId interior);
+  // ---- media.cpp
+  scene::Media read_media(Span span);
+  bool sampling_setting(scene::Media& media, const Token& token);
+  void read_scattering(scene::Media& media);
+  scene::Pigment read_density();
+  void read_density_body(scene::Pigment& density, Token::Kind last);
+  void start_density_pattern(scene::Pigment& density, std::uint32_t index, const Token& word);
+  bool density_modifier(scene::Pigment& density, const Token& token);
+  DensityMap read_density_map(bool weights);
+  scene::InteriorId moved_interior(scene::InteriorId id, const Transform& by);
   Material read_material();
   Shared<CameraSpec> read_camera(Span span);
   scene::Camera finish_camera(const CameraSpec& spec);

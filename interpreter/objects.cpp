@@ -277,12 +277,20 @@ void Interpreter::transform_object(scene::Object& o, const Transform& t) {
   if (!o.extras->bounds.empty()) {
     o.extras.edit().bound_transform = o.extras->bound_transform.then(step);
   }
+  if (o.interior != scene::none && !scene_.interiors[o.interior].media->empty()) {
+    o.extras.edit().media_transform = o.extras->media_transform.then(step);
+  }
   if (o.uv_mapping) return;  // its textures lie on the surface
   if (o.texture.texture != scene::none) o.texture.transform = o.texture.transform.then(step);
   if (o.extras->interior_texture.texture != scene::none) {
     scene::TextureUse& inner = o.extras.edit().interior_texture;
     inner.transform = inner.transform.then(step);
   }
+}
+
+void Interpreter::put_interior(scene::Object& o, scene::InteriorId interior) {
+  o.interior = interior;
+  if (!o.extras->media_transform.is_identity()) o.extras.edit().media_transform = {};
 }
 
 /// Reads one modifier whose word is `t`; false if `t` is none.
@@ -302,12 +310,12 @@ bool Interpreter::object_modifier(scene::Object& o, const Token& t) {
     case w::interior_texture:
       add_layers(o.extras.edit().interior_texture, read_texture("interior_texture"));
       return true;
-    case w::interior: o.interior = read_interior(); return true;
+    case w::interior: put_interior(o, read_interior()); return true;
     case w::material: {
       const Material m = read_material();
       if (m.texture != scene::none) o.texture = {m.texture, {}};
       if (m.interior_texture != scene::none) o.extras.edit().interior_texture = {m.interior_texture, {}};
-      if (m.interior != scene::none) o.interior = m.interior;
+      if (m.interior != scene::none) put_interior(o, m.interior);
       return true;
     }
     case w::clipped_by: read_clips(o, true); return true;

@@ -47,11 +47,12 @@ static_assert(complete<Layer>);
 static_assert(complete<TextureEntry>);
 static_assert(complete<Texture>);
 static_assert(complete<Interior>);
+static_assert(complete<Media>);
 static_assert(complete<Colour>);
 static_assert(complete<GammaCurve>);
 static_assert(complete<Affine>);
 // Each member of Scene has its own line in Dumper::scene(), origins are written with their users.
-static_assert(arity<Scene>() == 12);
+static_assert(arity<Scene>() == 13);
 
 template <typename T>
 concept HasWords = requires {
@@ -146,6 +147,7 @@ class Dumper {
     value("objects", scene_.objects);
     value("textures", scene_.textures);
     value("interiors", scene_.interiors);
+    value("atmosphere", scene_.atmosphere);
     // Objects share meshes, and there they are numbers.
     out_.open_list("meshes");
     for (const Mesh* mesh : meshes_) structure("", *mesh);

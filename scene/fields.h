@@ -61,6 +61,7 @@ struct Fields<ObjectExtras> {
                                   field("bounds", &ObjectExtras::bounds, Role::id),
                                   field("clip_transform", &ObjectExtras::clip_transform),
                                   field("bound_transform", &ObjectExtras::bound_transform),
+                                  field("media_transform", &ObjectExtras::media_transform),
                                   field("unsupported", &ObjectExtras::unsupported)};
 };
 
@@ -426,8 +427,32 @@ struct Fields<Interior> {
                                   field("fade_power", &Interior::fade_power),
                                   field("fade_colour", &Interior::fade_colour),
                                   field("refraction", &Interior::refraction),
+                                  field("media", &Interior::media),
                                   field("origin", &Interior::origin, Role::place),
                                   field("unsupported", &Interior::unsupported)};
+};
+
+template <>
+struct Fields<Media> {
+  static constexpr std::tuple all{field("absorption", &Media::absorption),
+                                  field("emission", &Media::emission),
+                                  field("scattering", &Media::scattering),
+                                  field("phase", &Media::phase),
+                                  field("eccentricity", &Media::eccentricity),
+                                  field("extinction", &Media::extinction),
+                                  field("collect", &Media::collect),
+                                  field("densities", &Media::densities),
+                                  field("method", &Media::method),
+                                  field("intervals", &Media::intervals),
+                                  field("min_samples", &Media::min_samples),
+                                  field("max_samples", &Media::max_samples),
+                                  field("confidence", &Media::confidence),
+                                  field("variance", &Media::variance),
+                                  field("ratio", &Media::ratio),
+                                  field("jitter", &Media::jitter),
+                                  field("aa_threshold", &Media::aa_threshold),
+                                  field("aa_level", &Media::aa_level),
+                                  field("origin", &Media::origin, Role::place)};
 };
 
 template <>
@@ -477,6 +502,11 @@ struct Words<Camera::Kind> {
 template <>
 struct Words<Fog::Kind> {
   static constexpr std::array<std::string_view, 2> all{"constant", "ground"};
+};
+template <>
+struct Words<Phase> {
+  static constexpr std::array<std::string_view, 5> all{"isotropic", "mie_hazy", "mie_murky",
+                                                       "rayleigh", "henyey_greenstein"};
 };
 template <>
 struct Words<GammaMode> {

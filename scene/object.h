@@ -45,6 +45,7 @@ struct ObjectExtras {
   /// The clips and bounds above live in this space of their own → surrounding space.
   SharedTransform clip_transform;
   SharedTransform bound_transform;
+  SharedTransform media_transform;  // of the densities inside → surrounding space
   std::string unsupported;  // the feature's name, when it cannot be rendered yet
 };
 

@@ -13,6 +13,7 @@
 #include "scene/atmosphere.h"
 #include "scene/camera.h"
 #include "scene/light.h"
+#include "scene/media.h"
 #include "scene/object.h"
 #include "scene/origin.h"
 #include "scene/radiosity.h"
@@ -66,6 +67,7 @@ struct Scene {
   std::vector<Light> lights;
   std::vector<Texture> textures;
   std::vector<Interior> interiors;
+  std::vector<Media> atmosphere;  // media that fill the space outside of bodies, and hollow ones
   Camera camera;
   Colour background{.rgb = vec3(0.0F), .filter = 0, .transmit = 1};
   std::optional<SkySphere> sky_sphere;

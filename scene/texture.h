@@ -131,7 +131,6 @@ struct Texture {
   [[nodiscard]] bool patterned() const { return !entries.empty(); }
 };
 
-/// Volume side of a surface (shading §5).
 /// False if the texture looks the same wherever it is placed: plain colours, no bumps.
 [[nodiscard]] inline bool has_place(const Texture& texture) {
   if (texture.patterned()) return true;
@@ -141,6 +140,9 @@ struct Texture {
   return false;
 }
 
+struct Media;
+
+/// Volume side of a surface (shading §5).
 struct Interior {
   double ior = -1;  // negative: the atmosphere's
   double dispersion = 1;
@@ -150,6 +152,7 @@ struct Interior {
   double fade_power = 0;
   vec3 fade_colour{0.0F};
   float refraction = 1;
+  Boxed<std::vector<Media>> media;  // all of them act at once
   OriginId origin = 0;
   std::string unsupported;
 };

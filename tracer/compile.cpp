@@ -30,6 +30,7 @@ bool all_supported(const scene::Scene& scene, const Geometry& geometry, Diagnost
     const scene::InteriorId interior = geometry.interiors()[leaf.interior].interior;
     if (interior != scene::none) report.check_interior(interior);
   }
+  report.check_media(scene.atmosphere);
   if (scene.sky_sphere) {
     for (const scene::Pigment& p : scene.sky_sphere->pigments) report.check_sky_pigment(p);
   }
@@ -75,7 +76,11 @@ void compile_interiors(const scene::Scene& scene, CompiledScene& out) {
     const scene::InteriorId id = instances[i].interior;
     const scene::Interior* interior = id == scene::none ? nullptr : &scene.interiors[id];
     out.interiors.push_back(compile_interior(interior, instances[i].hollow, finishes[i]));
+    if (interior != nullptr && out.quality.atmosphere) {
+      out.interiors.back().media = out.media.add(*interior->media, instances[i].to_world);
+    }
   }
+  if (out.quality.atmosphere) out.air_media = out.media.add(scene.atmosphere, {});
 }
 
 bool compile_lights(const scene::Scene& scene, CompiledScene& out, Diagnostics& diagnostics) {

@@ -30,7 +30,7 @@ struct SurfaceProgram {
 
 struct CompiledScene {
   CompiledScene(const scene::Scene& s, Geometry g, Quality q)
-      : scene(&s), quality(q), geometry(std::move(g)), textures(s, q), sky(s), atmosphere(s) {
+      : scene(&s), quality(q), geometry(std::move(g)), textures(s, q), sky(s), atmosphere(s), media(s.settings) {
     if (s.settings.radiosity && q.radiosity) radiosity.emplace(s);
   }
 
@@ -46,6 +46,8 @@ struct CompiledScene {
   std::vector<Interior> interiors;       // parallel to geometry.interiors()
   std::vector<Light> lights;
   std::vector<Geometry> projectors;  // what lamps shine through, each alone
+  MediaStore media;      // empty at qualities that leave media out
+  MediaRange air_media;  // of `media`: those that are everywhere
   Containment around_camera;  // bodies that hold the camera's location
 };
 

@@ -158,7 +158,11 @@ class Flattener {
     place(object.extras->interior_texture, own.interior_texture);
     if (object.interior != none || own.interior == none) {
       own.interior = static_cast<std::uint32_t>(flat_.interiors.size());
-      flat_.interiors.push_back({object.interior, false});
+      SharedTransform media;
+      if (object.interior != none && !scene_.interiors[object.interior].media->empty()) {
+        media = object.extras->media_transform.then(around.to_world);
+      }
+      flat_.interiors.push_back({object.interior, false, media});
     }
     flat_.interiors[own.interior].hollow = own.hollow.value_or(false);
     if (!object.extras->bounds.empty()) add_gate(id, around, own);

@@ -50,6 +50,7 @@ struct Projection {
 struct InteriorInstance {
   scene::InteriorId interior = scene::none;  // none: ior 1, no fading
   bool hollow = false;
+  SharedTransform to_world = {};  // from the space of its media
 };
 
 struct Hit {

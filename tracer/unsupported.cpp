@@ -41,6 +41,13 @@ void UnsupportedReport::check_texture(scene::TextureId id, std::uint32_t depth) 
 void UnsupportedReport::check_interior(scene::InteriorId id) {
   if (!mark(interiors_seen_, id)) return;
   report(scene_->interiors[id].unsupported, scene_->interiors[id].origin);
+  check_media(*scene_->interiors[id].media);
+}
+
+void UnsupportedReport::check_media(std::span<const scene::Media> media) {
+  for (const scene::Media& m : media) {
+    for (const scene::Pigment& d : m.densities) check_pigment(d);
+  }
 }
 
 void UnsupportedReport::check_pigment(const scene::Pigment& pigment) {

@@ -8,6 +8,7 @@
 
 #include "base/vec.h"
 #include "scene/texture.h"
+#include "tracer/shading/media.h"
 
 namespace durer::tracer {
 
@@ -22,6 +23,7 @@ struct Interior {
   vec3 fade_colour{0.0F};
   float refraction = 1;
   bool hollow = false;
+  MediaRange media;
 };
 
 /// `finish`: of the outermost layer of the body's texture, or null if its texture is patterned.
@@ -45,6 +47,7 @@ class Containment {
 
   [[nodiscard]] bool empty() const { return size_ == 0; }
   [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] std::span<const std::uint32_t> ids() const { return {ids_.data(), size_}; }
   [[nodiscard]] std::uint32_t innermost() const { return ids_[size_ - 1]; }
   [[nodiscard]] std::span<const std::uint32_t> ids() const { return {ids_.data(), size_}; }
   [[nodiscard]] bool contains(std::uint32_t id) const;

@@ -20,7 +20,7 @@ vec3 Tracer::illuminate(const View& view, const Path& path, const LayerPoint& la
     if (hidden && !spread && layer.finish->diffuse_back == 0) continue;
     if (!lamp.shadow_known) {
       if (spread) lamp.in.colour = light.colour;  // its samples are weakened one by one
-      lamp.shadowed = shadowed(light, lamp.in, view.p, path);
+      lamp.shadowed = shadowed(light, lamp.in, view.p, path.inside, view.gathering);
       lamp.shadow_known = true;
     }
     if (dark(lamp.shadowed)) continue;

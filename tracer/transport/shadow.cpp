@@ -7,11 +7,12 @@
 
 namespace durer::tracer {
 
-vec3 Tracer::shadowed(const Light& light, const Incidence& in, dvec3 p, const Path& path) {
+vec3 Tracer::shadowed(const Light& light, const Incidence& in, dvec3 p, const Containment& inside,
+                      bool as_point) {
   if (!quality_.shadows || (light.shadowless && light.projector == scene::none)) return in.colour;
-  if (!light.has_area || path.bounce > 0) return point_shadow(light, in, p, path.inside);
+  if (!light.has_area || as_point) return point_shadow(light, in, p, inside);
   scratch_->area.assign(static_cast<std::size_t>(light.area.n1 * light.area.n2), {});
-  const AreaShadow whole{light, in, p, path.inside};
+  const AreaShadow whole{light, in, p, inside};
   return area_shadow(whole, {0, 0, light.area.n1 - 1, light.area.n2 - 1}, 0);
 }
 
@@ -26,7 +27,7 @@ vec3 Tracer::point_shadow(const Light& light, const Incidence& in, dvec3 p,
     if (light.shadowless) return in.colour;
   }
   if (way <= 2 * t_shadow) return in.colour;
-  const bool dimmed = air_ && light.dimmed_by_air && scene_->atmosphere.foggy();
+  const bool dimmed = light.dimmed_by_air && dims();
   if (translucent_shadows_ || dimmed) return walk_shadow(light, in, p, way, inside);
   ++scratch_->rays;
   const bool blocked =
@@ -47,7 +48,7 @@ double Tracer::projected(const Light& light, const Incidence& in, dvec3 p) {
 vec3 Tracer::walk_shadow(const Light& light, const Incidence& in, dvec3 p, double way,
                          Containment inside) {
   static const double beyond = std::nextafter(t_shadow, 1.0);
-  const bool dimmed = air_ && light.dimmed_by_air;
+  const bool dimmed = light.dimmed_by_air && dims();
   const double unobstructed = in.distance - way;  // behind the object that the lamp shines through
   vec3 left = in.colour;
   Ray ray{p, in.l};
@@ -59,8 +60,10 @@ vec3 Tracer::walk_shadow(const Light& light, const Incidence& in, dvec3 p, doubl
                                               *scratch_->geometry);
     if (met) left *= shadow_factor(hit, in.l, inside);
     const double depth = met ? hit.t : way + unobstructed;
+    if (met && !scene_->media.empty()) left *= light_through_bodies(ray, hit.t, inside);
     if (dimmed && depth > t_shadow && in_the_open(inside)) {
-      left *= scene_->atmosphere.fog_shadow(ray, depth);
+      if (air_) left *= scene_->atmosphere.fog_shadow(ray, depth);
+      if (!scene_->air_media.empty()) left *= light_through_air(ray, depth, inside);
     }
     if (!met) return left;
     if (dark(left)) return vec3(0.0F);

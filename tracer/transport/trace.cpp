@@ -21,6 +21,7 @@ Tracer::Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha)
       legacy_opacity_(scene.scene->settings.effective_version < 370),
       translucent_shadows_(scene.geometry.has_translucent_shadows()),
       air_(scene.quality.atmosphere && !scene.atmosphere.empty()),
+      in_air_(air_ || !scene.media.empty()),
       quality_(scene.quality) {
   const scene::Settings& settings = scene.scene->settings;
   limits_.fill({std::clamp(settings.max_trace_level, 1, 256), settings.adc_bailout});
@@ -48,8 +49,9 @@ Radiance Tracer::follow(Path path, bool straight) {
     ++scratch_->rays;
     const bool met =
         scene_->geometry.closest(path.ray, t_min, path.reach, kind, hit, *scratch_->geometry);
-    if (air_ && (path.bounce == 0 || gathers_air_) && in_the_open(path.inside)) {
-      const Veil air = veil(path, met ? hit.t : no_hit_depth);
+    if (in_air_ && (path.bounce == 0 || gathers_air_) && in_the_open(path.inside)) {
+      const double depth = met ? hit.t : no_hit_depth;
+      const Veil air = veil(path, depth, met);
       sum += through * air.glow;
       through *= air.through;
       transmittance *= air.transmittance;

@@ -60,6 +60,26 @@ struct AreaSample {
   bool known = false;
 };
 
+/// What media along a ray do to the light from its far end.
+struct MediaEffect {
+  vec3 added{0.0F};  // light that they send towards the ray's origin
+  vec3 depth{0.0F};  // optical depth
+  vec3 kept{1.0F};   // share of the light behind that comes through
+};
+
+/// Where a lamp shines on a ray, in units of t.
+struct LampSpan {
+  std::uint32_t light = 0;
+  double from = 0;
+  double to = 0;
+};
+/// A part of a ray that some lamp shines on, or none.
+struct LitPart {
+  double from = 0;
+  double to = 0;
+  bool lit = false;
+};
+
 /// What one thread may change. Buffers grow once; tracing allocates nothing after that.
 struct Scratch {
   explicit Scratch(const CompiledScene& scene);
@@ -73,6 +93,9 @@ struct Scratch {
   std::vector<Reflection> reflections;  // a stack
   std::vector<std::uint32_t> containing;
   RadiosityState radiosity;
+  std::vector<std::uint32_t> media;   // a stack: those that are being integrated
+  std::vector<LampSpan> lamp_spans;   // of the ray whose media are being integrated
+  std::vector<LitPart> lit_parts;
 };
 
 /// Traces rays of one thread.
@@ -84,6 +107,7 @@ class Tracer {
   [[nodiscard]] Radiance trace(Path path) { return follow(path, false); }
 
  private:
+  friend class MediaIntegrator;
   // A surface that is being looked at.
   struct View {
     dvec3 p{0.0};
@@ -184,7 +208,8 @@ class Tracer {
   [[nodiscard]] vec3 attenuation(const View& view, const Path& path) const;
 
   [[nodiscard]] bool in_the_open(const Containment& inside) const;
-  [[nodiscard]] Veil veil(const Path& path, double depth);
+  [[nodiscard]] bool dims() const;
+  [[nodiscard]] Veil veil(const Path& path, double depth, bool met);
 
   [[nodiscard]] vec3 illuminate(const View& view, const Path& path, const LayerPoint& layer,
                                 bool first_lit);
@@ -194,7 +219,12 @@ class Tracer {
   [[nodiscard]] vec3 shade(const View& view, const LayerPoint& layer, const Light& light,
                            const LampAtPoint& lamp, bool backside);
   [[nodiscard]] vec3 shadowed(const Light& light, const Incidence& in, dvec3 p,
-                              const Path& path);
+  // media.cpp
+  [[nodiscard]] MediaEffect media_along(const Path& path, double depth, bool met);
+  [[nodiscard]] vec3 light_through_bodies(const Ray& ray, double depth, const Containment& inside);
+  [[nodiscard]] vec3 light_through_air(const Ray& ray, double depth, const Containment& inside);
+
+                              const Containment& inside, bool as_point = false);
   [[nodiscard]] vec3 point_shadow(const Light& light, const Incidence& in, dvec3 p,
                                   const Containment& inside);
   [[nodiscard]] double projected(const Light& light, const Incidence& in, dvec3 p);
@@ -219,7 +249,8 @@ class Tracer {
   bool alpha_;
   bool legacy_opacity_;
   bool translucent_shadows_;
-  bool air_;  // there is fog or the like …
+  bool air_;     // there is fog or the like …
+  bool in_air_;  // … or there are media …
   bool gathers_air_ = false;  // … and rays that gather indirect light see it
   Quality quality_;
 };
