@@ -47,7 +47,6 @@ class Containment {
 
   [[nodiscard]] bool empty() const { return size_ == 0; }
   [[nodiscard]] std::size_t size() const { return size_; }
-  [[nodiscard]] std::span<const std::uint32_t> ids() const { return {ids_.data(), size_}; }
   [[nodiscard]] std::uint32_t innermost() const { return ids_[size_ - 1]; }
   [[nodiscard]] std::span<const std::uint32_t> ids() const { return {ids_.data(), size_}; }
   [[nodiscard]] bool contains(std::uint32_t id) const;

@@ -5,6 +5,8 @@
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
+#include "tracer/random.h"
+
 namespace durer::tracer {
 namespace {
 

@@ -219,11 +219,6 @@ class Tracer {
   [[nodiscard]] vec3 shade(const View& view, const LayerPoint& layer, const Light& light,
                            const LampAtPoint& lamp, bool backside);
   [[nodiscard]] vec3 shadowed(const Light& light, const Incidence& in, dvec3 p,
-  // media.cpp
-  [[nodiscard]] MediaEffect media_along(const Path& path, double depth, bool met);
-  [[nodiscard]] vec3 light_through_bodies(const Ray& ray, double depth, const Containment& inside);
-  [[nodiscard]] vec3 light_through_air(const Ray& ray, double depth, const Containment& inside);
-
                               const Containment& inside, bool as_point = false);
   [[nodiscard]] vec3 point_shadow(const Light& light, const Incidence& in, dvec3 p,
                                   const Containment& inside);
@@ -235,6 +230,11 @@ class Tracer {
   [[nodiscard]] vec3 area_shadow(const AreaShadow& lit, const AreaPart& part, int level);
   [[nodiscard]] vec3 shadow_factor(const Hit& hit, dvec3 l, const Containment& inside) const;
   [[nodiscard]] vec3 shadow_factor(const View& view, const Containment& inside) const;
+
+  // media.cpp
+  [[nodiscard]] MediaEffect media_along(const Path& path, double depth, bool met);
+  [[nodiscard]] vec3 light_through_bodies(const Ray& ray, double depth, const Containment& inside);
+  [[nodiscard]] vec3 light_through_air(const Ray& ray, double depth, const Containment& inside);
 
   // When a path is not worth following.
   struct Limits {
