@@ -25,14 +25,13 @@ bool black_behind(vec3 depth) {
 }  // namespace
 
 MediaIntegrator::MediaIntegrator(Tracer& tracer, const Ray& ray, double depth,
-                                 const Containment& inside, bool shadow)
+                                 const Setting& setting)
     : tracer_(tracer),
       scene_(*tracer.scene_),
       scratch_(*tracer.scratch_),
       ray_(ray),
       length_(depth),
-      inside_(inside),
-      shadow_(shadow),
+      setting_(setting),
       first_(static_cast<std::uint32_t>(scratch_.media.size())),
       end_(first_) {}
 
@@ -51,8 +50,8 @@ MediaEffect MediaIntegrator::integrate() {
   MediaEffect effect;
   if (first_ == end_) return effect;
   find_leader();
-  if (shadow_ && !dims_) return effect;
-  if (shadow_) {
+  if (setting_.shadow && !dims_) return effect;
+  if (setting_.shadow) {
     divide({0, length_, false}, leader_->has_density ? leader_->intervals : 1, effect);
   } else {
     find_parts();
@@ -99,7 +98,8 @@ void MediaIntegrator::find_leader() {
 void MediaIntegrator::find_parts() {
   scratch_.lamp_spans.clear();
   scratch_.lit_parts.clear();
-  find_lit_parts(scene_.lights, ray_, length_, scratch_.lamp_spans, scratch_.lit_parts);
+  find_lit_parts(scene_.lights, setting_.lamps, ray_, length_, scratch_.lamp_spans,
+                 scratch_.lit_parts);
 }
 
 void MediaIntegrator::divide(const LitPart& part, int count, MediaEffect& effect) {
@@ -113,7 +113,7 @@ void MediaIntegrator::integrate(const Interval& interval, MediaEffect& effect) {
   Sample s;
   if (!varies_ && !(interval.lit && scatters_) && leader_->method == 3) {
     s = uniform(interval);
-  } else if (leader_->method != 3 || (shadow_ && constant_)) {
+  } else if (leader_->method != 3 || (setting_.shadow && constant_)) {
     s = sampled(interval);
   } else {
     s = adaptive(interval);
@@ -126,7 +126,7 @@ void MediaIntegrator::integrate(const Interval& interval, MediaEffect& effect) {
 // equal parts; then more at random, until the mean is known well enough.
 MediaIntegrator::Sample MediaIntegrator::sampled(const Interval& interval) {
   const MediaProgram& m = *leader_;
-  const int first = shadow_ && constant_ ? 1 : m.min_samples;
+  const int first = setting_.shadow && constant_ ? 1 : m.min_samples;
   Sample sum;
   vec3 squares(0.0F);
   const auto take = [&](double u) {
@@ -147,7 +147,7 @@ MediaIntegrator::Sample MediaIntegrator::sampled(const Interval& interval) {
     const auto most = static_cast<float>(m.thresholds[static_cast<std::size_t>(n - 1)]);
     return v.x >= most || v.y >= most || v.z >= most;
   };
-  if (!shadow_ && n < m.max_samples) {
+  if (!setting_.shadow && n < m.max_samples) {
     while (n <= m.max_samples && uncertain()) {
       take(random());
       ++n;
@@ -230,14 +230,14 @@ MediaIntegrator::Sample MediaIntegrator::at(const Interval& interval, double u) 
   vec3 scattering(0.0F);
   for (std::uint32_t i = first_; i < end_; ++i) {
     const MediaProgram& m = media(i);
-    if (shadow_ && !m.dims) continue;
+    if (setting_.shadow && !m.dims) continue;
     const vec3 density = m.varies ? scene_.media.density(m, p) : m.density;
     extinction += density * m.extinction;
     emission += density * m.emission;
     scattering += density * m.scattering;
   }
   const auto length = static_cast<float>(interval.length);
-  if (shadow_) return {vec3(0.0F), extinction * length};
+  if (setting_.shadow) return {vec3(0.0F), extinction * length};
   if (interval.lit && !black(scattering)) emission += scattering * scattered(t, p);
   return {emission * length, extinction * length};
 }
@@ -257,7 +257,7 @@ vec3 MediaIntegrator::scattered(double t, dvec3 p) {
     const Light& light = scene_.lights[span.light];
     const Incidence in = incidence(light, p);
     if (dark(in.colour)) continue;
-    const vec3 arriving = tracer_.shadowed(light, in, p, inside_);
+    const vec3 arriving = tracer_.shadowed(light, in, p, setting_.inside, setting_.gathering);
     if (dark(arriving)) continue;
     // The oracle takes the mean of all media, whether they scatter or not.
     double factor = 0;
@@ -272,15 +272,20 @@ double MediaIntegrator::random() { return next_random(scratch_.noise); }
 
 // ---- the tracer's questions
 
-MediaEffect Tracer::media_along(const Path& path, double depth, bool met) {
+MediaEffect Tracer::media_along(const Path& path, double depth, const Hit* hit) {
+  const std::uint32_t set =
+      hit == nullptr ? 0 : scene_->surfaces[scene_->geometry.leaves()[hit->leaf].surface].lamps;
+  const MediaIntegrator::Setting setting{.inside = path.inside,
+                                         .lamps = scene_->geometry.lamp_sets()[set],
+                                         .gathering = path.bounce > 0};
   MediaEffect effect;
   if (!scene_->air_media.empty()) {
-    MediaIntegrator air(*this, path.ray, depth, path.inside, false);
+    MediaIntegrator air(*this, path.ray, depth, setting);
     air.add(scene_->air_media);
     effect = air.integrate();
   }
-  if (!met || path.inside.empty()) return effect;
-  MediaIntegrator bodies(*this, path.ray, depth, path.inside, false);
+  if (hit == nullptr || path.inside.empty()) return effect;
+  MediaIntegrator bodies(*this, path.ray, depth, setting);
   for (const std::uint32_t id : path.inside.ids()) bodies.add(scene_->interiors[id].media);
   const MediaEffect inner = bodies.integrate();
   effect.added += effect.kept * inner.added;
@@ -290,13 +295,13 @@ MediaEffect Tracer::media_along(const Path& path, double depth, bool met) {
 
 vec3 Tracer::light_through_bodies(const Ray& ray, double depth, const Containment& inside) {
   if (inside.empty() || !in_the_open(inside)) return vec3(1.0F);
-  MediaIntegrator bodies(*this, ray, depth, inside, true);
+  MediaIntegrator bodies(*this, ray, depth, {.inside = inside, .shadow = true});
   for (const std::uint32_t id : inside.ids()) bodies.add(scene_->interiors[id].media);
   return bodies.integrate().kept;
 }
 
 vec3 Tracer::light_through_air(const Ray& ray, double depth, const Containment& inside) {
-  MediaIntegrator air(*this, ray, depth, inside, true);
+  MediaIntegrator air(*this, ray, depth, {.inside = inside, .shadow = true});
   air.add(scene_->air_media);
   return air.integrate().kept;
 }

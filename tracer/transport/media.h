@@ -9,9 +9,16 @@ namespace durer::tracer {
 /// once; the one with most intervals rules how they are sampled.
 class MediaIntegrator {
  public:
-  /// `inside`: the bodies that the ray is in, for shadow rays from within. `ray.d` of unit length.
-  MediaIntegrator(Tracer& tracer, const Ray& ray, double depth, const Containment& inside,
-                  bool shadow);
+  /// What matters about the ray besides its way.
+  struct Setting {
+    const Containment& inside;               // bodies that it is in, for shadow rays from within
+    std::span<const std::uint32_t> lamps{};  // that may light the media
+    bool gathering = false;                  // it gathers indirect light
+    bool shadow = false;                     // it goes to a lamp: only what is lost counts
+  };
+
+  /// `ray.d` of unit length.
+  MediaIntegrator(Tracer& tracer, const Ray& ray, double depth, const Setting& setting);
   MediaIntegrator(const MediaIntegrator&) = delete;
   MediaIntegrator& operator=(const MediaIntegrator&) = delete;
   ~MediaIntegrator();
@@ -52,8 +59,7 @@ class MediaIntegrator {
   Scratch& scratch_;
   const Ray ray_;
   const double length_;
-  const Containment& inside_;
-  const bool shadow_;
+  const Setting setting_;
   // Of scratch_.media, a stack.
   const std::uint32_t first_;
   std::uint32_t end_;
@@ -66,9 +72,10 @@ class MediaIntegrator {
   bool dims_ = false;
 };
 
-/// Appends where lamps shine on a ray: [0, depth] or less for those with a cone. Then parts of the
+/// Appends where some of the `lights`, the `lamps`, shine on a ray: [0, depth] or less for those with a cone. Then parts of the
 /// ray, some lit, some not, from 0 to `depth`.
-void find_lit_parts(std::span<const Light> lights, const Ray& ray, double depth,
-                    std::vector<LampSpan>& spans, std::vector<LitPart>& parts);
+void find_lit_parts(std::span<const Light> lights, std::span<const std::uint32_t> lamps,
+                    const Ray& ray, double depth, std::vector<LampSpan>& spans,
+                    std::vector<LitPart>& parts);
 
 }  // namespace durer::tracer

@@ -19,7 +19,7 @@ struct Span {
 // Where a ray is inside a cone of light; which half of the double cone a root belongs to tells its
 // height above the apex.
 std::optional<Span> cone_span(const Light& light, const Ray& ray) {
-  const double cosine = light.cos_falloff;
+  const double cosine = light.falloff;
   const dvec3 v = ray.o - light.position;
   const double k1 = glm::dot(ray.d, light.axis);
   const double k2 = glm::dot(v, light.axis);
@@ -49,6 +49,36 @@ std::optional<Span> cone_span(const Light& light, const Ray& ray) {
   return Span{0, t2 <= 0 ? far : t2};
 }
 
+// Where a ray is inside the beam of a cylinder.
+std::optional<Span> beam_span(const Light& light, const Ray& ray) {
+  const dvec3 v = ray.o - light.position;
+  const double k1 = glm::dot(ray.d, light.axis);
+  const double k2 = glm::dot(v, light.axis);
+  const double a = 1 - k1 * k1;
+  const double b = glm::dot(v, ray.d) - k1 * k2;
+  const double c = glm::dot(v, v) - k2 * k2 - light.falloff * light.falloff;
+  const double d = b * b - a * c;
+  if (a == 0 || d <= epsilon) return std::nullopt;
+  const double root = std::sqrt(d);
+  Span s{(-b - root) / a, (-b + root) / a};
+  const bool before = k2 + s.from * k1 <= 0;
+  const bool after = k2 + s.to * k1 <= 0;
+  if (before && after) return std::nullopt;
+  if (before) s.from = 0;
+  if (after) s.to = (far - k2) / k1;
+  return s;
+}
+
+// The whole ray, unless the lamp shines on a part of space only.
+std::optional<Span> lit_span(const Light& light, const Ray& ray, double depth) {
+  using Kind = scene::Light::Kind;
+  switch (light.kind) {
+    case Kind::spotlight: return cone_span(light, ray);
+    case Kind::cylinder: return beam_span(light, ray);
+    default: return Span{0, depth};
+  }
+}
+
 // The parts between the ends of the spans; overlapping spans make one lit part.
 void merge(std::span<const LampSpan> spans, double depth, std::vector<LitPart>& parts) {
   if (spans.empty()) {
@@ -70,17 +100,14 @@ void merge(std::span<const LampSpan> spans, double depth, std::vector<LitPart>& 
 
 }  // namespace
 
-void find_lit_parts(std::span<const Light> lights, const Ray& ray, double depth,
-                    std::vector<LampSpan>& spans, std::vector<LitPart>& parts) {
+void find_lit_parts(std::span<const Light> lights, std::span<const std::uint32_t> lamps,
+                    const Ray& ray, double depth, std::vector<LampSpan>& spans,
+                    std::vector<LitPart>& parts) {
   constexpr double least = 0.001;  // spans that end before are none
-  for (std::uint32_t i = 0; i < lights.size(); ++i) {
+  for (const std::uint32_t i : lamps) {
     const Light& light = lights[i];
     if (light.shadowless || !light.media_interaction) continue;
-    if (!light.spot) {
-      spans.push_back({i, 0, depth});
-      continue;
-    }
-    const std::optional<Span> s = cone_span(light, ray);
+    const std::optional<Span> s = lit_span(light, ray, depth);
     if (!s || s->from >= depth || s->to <= least) continue;
     spans.push_back({i, std::max(s->from, 0.0), std::min(s->to, depth)});
   }

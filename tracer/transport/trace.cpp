@@ -51,7 +51,7 @@ Radiance Tracer::follow(Path path, bool straight) {
         scene_->geometry.closest(path.ray, t_min, path.reach, kind, hit, *scratch_->geometry);
     if (in_air_ && (path.bounce == 0 || gathers_air_) && in_the_open(path.inside)) {
       const double depth = met ? hit.t : no_hit_depth;
-      const Veil air = veil(path, depth, met);
+      const Veil air = veil(path, depth, met ? &hit : nullptr);
       sum += through * air.glow;
       through *= air.through;
       transmittance *= air.transmittance;

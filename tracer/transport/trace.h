@@ -209,7 +209,7 @@ class Tracer {
 
   [[nodiscard]] bool in_the_open(const Containment& inside) const;
   [[nodiscard]] bool dims() const;
-  [[nodiscard]] Veil veil(const Path& path, double depth, bool met);
+  [[nodiscard]] Veil veil(const Path& path, double depth, const Hit* hit);
 
   [[nodiscard]] vec3 illuminate(const View& view, const Path& path, const LayerPoint& layer,
                                 bool first_lit);
@@ -232,7 +232,7 @@ class Tracer {
   [[nodiscard]] vec3 shadow_factor(const View& view, const Containment& inside) const;
 
   // media.cpp
-  [[nodiscard]] MediaEffect media_along(const Path& path, double depth, bool met);
+  [[nodiscard]] MediaEffect media_along(const Path& path, double depth, const Hit* hit);
   [[nodiscard]] vec3 light_through_bodies(const Ray& ray, double depth, const Containment& inside);
   [[nodiscard]] vec3 light_through_air(const Ray& ray, double depth, const Containment& inside);
 

@@ -1,6 +1,7 @@
 // Media along a ray: the oracle's values for slabs, and the parts the walk is made of
 // (participating-and-global §1.16).
 #include <cmath>
+#include <numeric>
 
 #include "tests/unit/tracer_shading/shading_test.h"
 #include "tracer/transport/media.h"
@@ -165,14 +166,17 @@ TEST_CASE("media: cones of light cut a ray into parts", "[tracer][media]") {
   tracer::Light down;  // a cone of 45 degrees, pointing down
   down.position = {0, 4, 0};
   down.axis = {0, -1, 0};
-  down.spot = true;
-  down.cos_falloff = std::sqrt(0.5);
+  down.kind = scene::Light::Kind::spotlight;
+  down.falloff = std::sqrt(0.5);
   std::vector<tracer::LampSpan> spans;
   std::vector<tracer::LitPart> parts;
   const auto find = [&](std::initializer_list<tracer::Light> lights, dvec3 from, dvec3 d) {
     spans.clear();
     parts.clear();
-    tracer::find_lit_parts(std::vector<tracer::Light>(lights), {from, d}, 20, spans, parts);
+    const std::vector<tracer::Light> all(lights);
+    std::vector<std::uint32_t> lamps(all.size());
+    std::iota(lamps.begin(), lamps.end(), 0U);
+    tracer::find_lit_parts(all, lamps, {from, d}, 20, spans, parts);
     return parts.size();
   };
   SECTION("across") {
