@@ -90,8 +90,13 @@ class Flattener {
     for (const scene::Root& root : scene_.roots) add_root(root, {});
     for (const LampSet& set : lamp_sets_) {
       flat_.lamp_sets.push_back(set.outside);
-      std::vector<std::uint32_t>& all = flat_.lamp_sets.back();
-      all.insert(all.end(), set.inside.begin(), set.inside.end());
+      // Of the groups around an object, the innermost that has lamps lights it.
+      for (std::size_t i = set.groups.size(); i-- > 0;) {
+        const std::vector<std::uint32_t>& own = group_lamps_[set.groups[i]];
+        if (own.empty()) continue;
+        flat_.lamp_sets.back().insert(flat_.lamp_sets.back().end(), own.begin(), own.end());
+        break;
+      }
     }
     return std::move(flat_);
   }
@@ -294,19 +299,19 @@ class Flattener {
       flat_.projections.push_back({id, light.projected_through, to_world});
     }
     flat_.lights.push_back(light);
-    // A group's own lamps light the objects in it, and those of the groups in it.
+    if (around.direct_of != none) {
+      group_lamps_[around.direct_of].push_back(id);
+      return;
+    }
     for (LampSet& set : lamp_sets_) {
-      const bool lit = around.direct_of == none
-                           ? set.global
-                           : std::find(set.groups.begin(), set.groups.end(), around.direct_of) !=
-                                 set.groups.end();
-      if (lit) (around.direct_of == none ? set.outside : set.inside).push_back(id);
+      if (set.global) set.outside.push_back(id);
     }
   }
 
   void enter_group(const Object& group, Context& own) {
     LampSet set = lamp_sets_[own.lamps];
-    own.direct_of = groups_++;
+    own.direct_of = static_cast<std::uint32_t>(group_lamps_.size());
+    group_lamps_.emplace_back();
     set.groups.push_back(own.direct_of);
     set.global = group.global_lights.value_or(own.lamps != 0 && set.global);
     if (!set.global) set.outside.clear();
@@ -361,13 +366,12 @@ class Flattener {
   SurfaceTable surfaces_;
   /// Who lights an object: what it inherits from the light groups around it. Set 0: no group.
   struct LampSet {
-    std::vector<std::uint32_t> groups;   // around the object
-    bool global = true;                  // lamps outside of any group count
-    std::vector<std::uint32_t> outside;  // lamps: those of the scene …
-    std::vector<std::uint32_t> inside;   // … then those of groups
+    std::vector<std::uint32_t> groups;   // around the object, outermost first
+    bool global = true;                  // lamps outside of any group count:
+    std::vector<std::uint32_t> outside;  // these
   };
   std::vector<LampSet> lamp_sets_{1};
-  std::uint32_t groups_ = 0;
+  std::vector<std::vector<std::uint32_t>> group_lamps_;  // those of each group alone
   scene::TextureId default_texture_ = none;
   std::uint32_t entry_interior_ = 0;  // of the object that `visit` has just returned
   std::unordered_set<scene::ObjectId> reported_;
