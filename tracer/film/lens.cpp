@@ -73,13 +73,13 @@ LensSampling::LensSampling(const scene::Scene& scene) {
   }
 }
 
-// Offsets are multiples of 1/32 of a pixel, then a hash of the place that leans to the upper left, as
+// Offsets are multiples of 1/32 of a pixel, then a hash of these that leans to the upper left, as
 // the oracle's does.
 dvec2 LensSampling::moved(double x, double y, int sample) const {
   const int seed = static_cast<int>(313 * x + 11) + static_cast<int>(311 * y + 17) + sample;
   const auto offset = [](int hash) { return (2 * (hash % 16) + 1) / 32.0 - 0.5; };
   const dvec2 d(offset(shuffled(seed)), offset(shuffled(seed + 1)));
-  return dvec2(x, y) + d + (jitter(x + d.x, y + d.y) - 0.5) / 16.0;
+  return dvec2(x, y) + d + (jitter(d.x, d.y) - 0.5) / 16.0;
 }
 
 dvec2 LensSampling::on_lens(dvec2 at, int sample) const {

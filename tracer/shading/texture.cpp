@@ -91,7 +91,8 @@ std::uint32_t TextureStore::finishes_of(scene::TextureId id) {
     const scene::Settings& settings = scene_->settings;
     for (const scene::Layer& layer : scene_->textures[id].layers) {
       finishes_.push_back(
-          compile_finish(*layer.finish, settings.ambient_light, settings.irid_wavelength));
+          compile_finish(*layer.finish, settings.ambient_light, settings.irid_wavelength,
+                         settings.resolved_noise_generator()));
     }
   }
   return known->second;
