@@ -73,7 +73,6 @@ void UnsupportedReport::check_sky_pigment(const scene::Pigment& pigment) {
 
 void UnsupportedReport::check_finish(const scene::Finish& finish, scene::OriginId origin) {
   report(finish.unsupported, origin);
-  if (finish.irid > 0 && finish.irid_turbulence != 0) report("turbulence in irid", origin);
 }
 
 void UnsupportedReport::report(std::string_view feature, scene::OriginId origin) {

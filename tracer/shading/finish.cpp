@@ -37,7 +37,8 @@ double fresnel(double cosi, double n) {
 
 }  // namespace
 
-Finish compile_finish(const scene::Finish& in, vec3 ambient_light, vec3 irid_wavelength) {
+Finish compile_finish(const scene::Finish& in, vec3 ambient_light, vec3 irid_wavelength,
+                      functions::NoiseGenerator noise_generator) {
   Finish f;
   f.glow_pigment = in.ambient * ambient_light + in.emission;
   f.reflection_min = in.reflection_min;
@@ -58,7 +59,9 @@ Finish compile_finish(const scene::Finish& in, vec3 ambient_light, vec3 irid_wav
   f.reflection_metallic = in.reflection_metallic;
   f.irid = in.irid;
   f.irid_thickness = in.irid_thickness;
+  f.irid_turbulence = in.irid_turbulence;
   f.irid_wavelength = irid_wavelength;
+  f.noise_generator = noise_generator;
   f.fresnel = in.fresnel;
   f.conserve_energy = in.conserve_energy;
   f.highlights = in.phong != 0 || in.specular != 0;
@@ -101,9 +104,14 @@ vec3 highlight(const Finish& f, dvec3 d, dvec3 n, dvec3 l, vec3 pigment) {
   return f.metallic > 0 ? white * metal_tint(f.metallic, glm::dot(n, l), pigment) : white;
 }
 
-vec3 iridescence(const Finish& f, double cos_light, double cos_view) {
-  const double path =
-      2 * std::numbers::pi * f.irid_thickness * (std::abs(cos_light) + std::abs(cos_view));
+vec3 iridescence(const Finish& f, dvec3 p, double cos_light, double cos_view) {
+  double thickness = f.irid_thickness;
+  if (f.irid_turbulence != 0) {
+    constexpr functions::Octaves octaves{5, 0.5, 2};
+    const double stirred = functions::turbulence(p, octaves, f.noise_generator);
+    thickness *= 1 + f.irid_turbulence * (2 * stirred - 1);
+  }
+  const double path = 2 * std::numbers::pi * thickness * (std::abs(cos_light) + std::abs(cos_view));
   vec3 c;
   for (int i = 0; i < 3; ++i) {
     c[i] = 1 + f.irid * static_cast<float>(std::cos(path / f.irid_wavelength[i]));

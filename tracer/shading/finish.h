@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/vec.h"
+#include "functions/noise.h"
 #include "scene/texture.h"
 
 namespace durer::tracer {
@@ -27,6 +28,8 @@ struct Finish {
   float reflection_metallic = 0;
   float irid = 0;
   float irid_thickness = 0;
+  float irid_turbulence = 0;
+  functions::NoiseGenerator noise_generator = 2;  // of the turbulence
   vec3 irid_wavelength{1.0F};
   bool fresnel = false;
   bool conserve_energy = false;
@@ -36,7 +39,8 @@ struct Finish {
 };
 
 [[nodiscard]] Finish compile_finish(const scene::Finish& finish, vec3 ambient_light,
-                                    vec3 irid_wavelength);
+                                    vec3 irid_wavelength,
+                                    functions::NoiseGenerator noise_generator = 2);
 
 /// How much a surface reflects, per component, and how much that counts for the trace limits.
 struct Reflectivity {
@@ -53,7 +57,7 @@ struct Reflectivity {
 /// tint it. `d`: view direction, `l`: to the light, both of unit length (shading §4.5).
 [[nodiscard]] vec3 highlight(const Finish& finish, dvec3 d, dvec3 n, dvec3 l, vec3 pigment);
 
-/// Thin-film interference for the two angles' cosines (shading §4.6).
-[[nodiscard]] vec3 iridescence(const Finish& finish, double cos_light, double cos_view);
+/// Thin-film interference at the world point `p`, for the two angles' cosines (shading §4.6).
+[[nodiscard]] vec3 iridescence(const Finish& finish, dvec3 p, double cos_light, double cos_view);
 
 }  // namespace durer::tracer

@@ -95,7 +95,8 @@ std::uint32_t TextureStore::finishes_of(scene::TextureId id) {
     const vec3 ambient = gathered ? vec3(0.0F) : settings.ambient_light;
     for (const scene::Layer& layer : scene_->textures[id].layers) {
       finishes_.push_back(
-          compile_finish(*layer.finish, ambient, settings.irid_wavelength));
+          compile_finish(*layer.finish, ambient, settings.irid_wavelength,
+                         settings.resolved_noise_generator()));
     }
   }
   return known->second;

@@ -73,7 +73,7 @@ vec3 Tracer::shade(const View& view, const LayerPoint& layer, const Light& light
   if (f.highlights && !view.gathering && !backside && !light.shadowless) {
     sum += highlight(f, view.d, layer.n, l, layer.pigment) * lamp.shadowed;
   }
-  if (f.irid > 0) sum *= iridescence(f, cosine, glm::dot(layer.n, view.d));
+  if (f.irid > 0) sum *= iridescence(f, view.p, cosine, glm::dot(layer.n, view.d));
   return sum;
 }
 

@@ -221,7 +221,7 @@ vec3 Tracer::reflect(const View& view, const LayerSum& layers, const Path& arriv
     vec3 light = trace(path).colour;
     const Finish& f = *r.finish;
     if (f.irid > 0) {
-      light *= iridescence(f, glm::dot(r.n, path.ray.d), glm::dot(r.n, view.d));
+      light *= iridescence(f, view.p, glm::dot(r.n, path.ray.d), glm::dot(r.n, view.d));
     }
     if (f.reflection_power != 1) light = glm::pow(light, vec3(f.reflection_power));
     sum += r.rho * light;
