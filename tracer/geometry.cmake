@@ -11,6 +11,7 @@ add_library(durer_geometry STATIC
   accel/linear.cpp
   accel/triangle_build.cpp
   accel/triangle_tree.cpp
+  accel/wide_build.cpp
   csg/build.cpp
   csg/gate.cpp
   csg/solid_targets.cpp
@@ -21,6 +22,7 @@ add_library(durer_geometry STATIC
   primitives/mesh_shape.cpp
   primitives/parametric_shape.cpp
   primitives/blob_field.cpp
+  primitives/blob_line.cpp
   primitives/height_grid.cpp
   primitives/julia_set.cpp
   primitives/mesh_shape.cpp
