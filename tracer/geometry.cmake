@@ -34,5 +34,6 @@ add_library(durer_geometry STATIC
   ${primitive_sources})
 add_library(durer::geometry ALIAS durer_geometry)
 # 256-bit vectors are only passed to functions that are inlined: how others would pass them is moot.
-target_compile_options(durer_geometry PRIVATE -Wno-psabi)
+# Nobody asks what errno says about square roots.
+target_compile_options(durer_geometry PRIVATE -Wno-psabi -fno-math-errno)
 target_link_libraries(durer_geometry PUBLIC durer_common durer::scene PRIVATE embree fmt::fmt)

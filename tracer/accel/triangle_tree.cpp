@@ -11,8 +11,8 @@ namespace durer::tracer {
 namespace {
 
 using Float4 = float __attribute__((vector_size(16)));
-using Double4 = double __attribute__((vector_size(32)));
-using Long4 = std::int64_t __attribute__((vector_size(32)));
+using wide::Double4;
+using wide::Long4;
 
 DURER_INLINE Double4 load4(const float* p) {
   Float4 r;
@@ -44,10 +44,7 @@ DURER_INLINE void pierce(const TriangleTree::Block& block, const ShearedRay& ray
   const Long4 hit = (((u >= zero) & (v >= zero) & (w >= zero)) |
                      ((u <= zero) & (v <= zero) & (w <= zero))) &
                     ((u + v + w) != zero);
-  if ((hit[0] | hit[1] | hit[2] | hit[3]) == 0) return;
-  for (std::size_t i = 0; i < TriangleTree::block_size; ++i) {
-    if (hit[i] != 0) on_hit(i);
-  }
+  wide::each_bit(wide::bits_of(hit), on_hit);
 }
 
 /// Depth of the triangle's plane; false for a ray in that plane.

@@ -8,70 +8,12 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 
-#ifdef __SSE2__
-#include <xmmintrin.h>
-#endif
-
 #include "base/ray.h"
-#include "functions/simd/inline.h"
 #include "tracer/accel/box_tree.h"
+#include "tracer/accel/lanes.h"
 #include "tracer/accel/wide_nodes.h"
 
-// Functions are compiled for processors with 256-bit vectors and for all others; the results are
-// equal. DURER_WIDE marks the former, and has_wide_vectors() tells whether they may be called.
-#if defined(__x86_64__)
-#define DURER_HAS_WIDE 1
-#define DURER_WIDE __attribute__((target("avx2")))
-#else
-#define DURER_HAS_WIDE 0
-#define DURER_WIDE
-#endif
-
-namespace durer::tracer {
-
-[[nodiscard]] inline bool has_wide_vectors() {
-#if DURER_HAS_WIDE
-  static const bool has = __builtin_cpu_supports("avx2") != 0;
-  return has;
-#else
-  return false;
-#endif
-}
-
-namespace wide {
-
-using Float8 = float __attribute__((vector_size(32)));
-using Int8 = std::int32_t __attribute__((vector_size(32)));
-using Byte8 = std::int8_t __attribute__((vector_size(8)));
-
-DURER_INLINE Float8 load8(const float* p) {
-  Float8 r;
-  std::memcpy(&r, p, sizeof r);
-  return r;
-}
-DURER_INLINE Float8 greater_of(Float8 a, Float8 b) { return a > b ? a : b; }
-DURER_INLINE Float8 less_of(Float8 a, Float8 b) { return a < b ? a : b; }
-
-/// A bit for every lane that is set.
-DURER_INLINE unsigned bits_of(Int8 mask) {
-#ifdef __SSE2__
-  __m128 half[2];
-  std::memcpy(half, &mask, sizeof mask);
-  return static_cast<unsigned>(_mm_movemask_ps(half[0]) | (_mm_movemask_ps(half[1]) << 4));
-#else
-  unsigned bits = 0;
-  for (unsigned i = 0; i < 8; ++i) bits |= (mask[i] != 0 ? 1U : 0U) << i;
-  return bits;
-#endif
-}
-
-/// Calls f(lane) for every lane that is set.
-template <typename F>
-DURER_INLINE void each_lane(Int8 mask, F&& f) {
-  for (unsigned left = bits_of(mask); left != 0; left &= left - 1) {
-    f(static_cast<std::size_t>(std::countr_zero(left)));
-  }
-}
+namespace durer::tracer::wide {
 
 /// The ray as boxes see it: from where it enters the whole, in single precision.
 struct BoxRay {
@@ -142,7 +84,7 @@ DURER_INLINE std::size_t push_children(const WideNodes::Node& node, const BoxRay
   std::array<float, WideNodes::width> depth;
   std::memcpy(depth.data(), &enter, sizeof depth);
   const std::size_t bottom = top;
-  each_lane(enter <= exit, [&](std::size_t i) DURER_LAMBDA_INLINE {
+  each_bit(bits_of(enter <= exit), [&](std::size_t i) DURER_LAMBDA_INLINE {
     const Waiting w = waiting(node.child[i], depth[i]);
     std::size_t at = top++;
     for (; at > bottom && stack[at - 1] < w; --at) stack[at] = stack[at - 1];
@@ -198,9 +140,8 @@ DURER_INLINE void at(const WideNodes& tree, dvec3 p, Leaf&& leaf) {
       holds &= (load8(node.planes[axis].data()) <= x[axis]) &
                (load8(node.planes[axis + 3].data()) >= x[axis]);
     }
-    each_lane(holds, [&](std::size_t i) DURER_LAMBDA_INLINE { stack[top++] = node.child[i]; });
+    each_bit(bits_of(holds), [&](std::size_t i) DURER_LAMBDA_INLINE { stack[top++] = node.child[i]; });
   }
 }
 
-}  // namespace wide
-}  // namespace durer::tracer
+}  // namespace durer::tracer::wide

@@ -20,34 +20,31 @@ struct Appender {
   double full;
   std::vector<BlobStretch>& out;
 
-  /// The stretch where |o + t d|² < radius2, cut to [from, to]. `unit`: 1 / |d|².
-  void operator()(dvec3 o, dvec3 d, double bend, double unit, double from, double to) const {
-    const double middle = -glm::dot(o, d) * unit;
+  /// The stretch where |o + t d|² < radius2, cut to [from, to].
+  void operator()(dvec3 o, dvec3 d, double from, double to) const {
+    const double bend = glm::dot(d, d);
+    if (bend <= 1e-30) {  // along a rod: the same all the way
+      const double top = radius2 - glm::dot(o, o);
+      const double full_begin = top > full ? from : endless;
+      if (top > 0 && from < to) out.push_back({from, to, 0, top, 0, strength, full_begin, to});
+      return;
+    }
+    const double middle = -glm::dot(o, d) / bend;
     const dvec3 nearest = o + middle * d;
     const double top = radius2 - glm::dot(nearest, nearest);
     if (!(top > epsilon * radius2)) return;
-    const double half = std::sqrt(top * unit);
+    const double half = std::sqrt(top / bend);
     const double begin = std::max(middle - half, from);
     const double end = std::min(middle + half, to);
     if (!(begin < end)) return;
     double full_begin = endless;
     double full_end = -endless;
     if (top > full) {
-      const double full_half = std::sqrt((top - full) * unit);
+      const double full_half = std::sqrt((top - full) / bend);
       full_begin = std::max(middle - full_half, begin);
       full_end = std::min(middle + full_half, end);
     }
     out.push_back({begin, end, middle, top, bend, strength, full_begin, full_end});
-  }
-  void operator()(dvec3 o, dvec3 d, double from, double to) const {
-    const double bend = glm::dot(d, d);
-    if (bend > 1e-30) {
-      (*this)(o, d, bend, 1 / bend, from, to);
-      return;
-    }
-    const double top = radius2 - glm::dot(o, o);  // along a rod: the same all the way
-    const double full_begin = top > full ? from : endless;
-    if (top > 0 && from < to) out.push_back({from, to, 0, top, 0, strength, full_begin, to});
   }
 };
 
@@ -65,23 +62,14 @@ double BlobComponent::field(dvec3 p) const {
 }
 
 dvec3 BlobComponent::fall(dvec3 p) const {
-  if (moved_only) {
-    const dvec3 off = p + to_own.t;
-    const double root = radius2 - glm::dot(off, off);
-    return root > 0 ? 4 * strength * root * off : dvec3(0.0);
-  }
   const dvec3 off = from_axis(to_own.point(p));
   const double root = radius2 - glm::dot(off, off);
   return root > 0 ? to_own.covector(4 * strength * root * off) : dvec3(0.0);
 }
 
-void BlobComponent::append_stretches(const Ray& ray, double unit, double t_from, double t_to,
+void BlobComponent::append_stretches(const Ray& ray, double t_from, double t_to,
                                      std::vector<BlobStretch>& out) const {
   const Appender append{radius2, strength, full, out};
-  if (moved_only) {
-    append(ray.o + to_own.t, ray.d, glm::dot(ray.d, ray.d), unit, t_from, t_to);
-    return;
-  }
   const dvec3 o = to_own.point(ray.o);
   const dvec3 d = to_own.vector(ray.d);
   if (length < 0) {
@@ -166,7 +154,7 @@ std::vector<BlobComponent> blob_components(std::span<const double> list, double 
       }
     }
     c.to_own = placement.backward;
-    c.moved_only = !rod && (kind & 2U) == 0;
+    c.plain = !rod && (kind & 2U) == 0;
     c.reach = reach.transformed(placement.forward);
     if (strength > 0) c.seen = around_middle;
     all.push_back(c);

@@ -42,15 +42,15 @@ struct BlobComponent {
   double strength = 1;  // of the field's square root, over radius⁴
   double full = 0;      // the root of the field at which it reaches the threshold by itself
   std::uint32_t texture = 0;
-  bool moved_only = false;  // to_own does not turn, nor scale
+  bool plain = false;  // a ball that is only moved
   Bounds3 reach;  // in the blob's space
   Bounds3 seen;   // the box that the oracle makes of it, if it adds to the field
 
   [[nodiscard]] double field(dvec3 p) const;
   /// How the field falls, in the blob's space.
   [[nodiscard]] dvec3 fall(dvec3 p) const;
-  /// Appends the stretches within t_from…t_to. `unit`: 1 / |ray.d|².
-  void append_stretches(const Ray& ray, double unit, double t_from, double t_to,
+  /// Appends the stretches within t_from…t_to.
+  void append_stretches(const Ray& ray, double t_from, double t_to,
                         std::vector<BlobStretch>& out) const;
 
  private:

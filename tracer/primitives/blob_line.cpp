@@ -11,81 +11,90 @@ namespace durer::tracer {
 namespace {
 
 using Block = BlobData::Block;
-using Double4 = double __attribute__((vector_size(32)));
-using Long4 = std::int64_t __attribute__((vector_size(32)));
+using wide::Double4;
+using wide::load4;
 
-DURER_INLINE Double4 load(const std::array<double, BlobData::block_size>& a) {
-  Double4 r;
-  std::memcpy(&r, a.data(), sizeof r);
-  return r;
-}
+/// What a line meets of the balls of a block, a lane for each.
+struct Meeting {
+  Double4 middle, top, begin, end, full_begin, full_end;
+  unsigned met;  // a bit for each
+};
 
-DURER_INLINE unsigned bits_of(Long4 mask) {
-#ifdef __SSE2__
-  __m128d half[2];
-  std::memcpy(half, &mask, sizeof mask);
-  return static_cast<unsigned>(_mm_movemask_pd(half[0]) | (_mm_movemask_pd(half[1]) << 2));
-#else
-  unsigned bits = 0;
-  for (unsigned i = 0; i < 4; ++i) bits |= (mask[i] != 0 ? 1U : 0U) << i;
-  return bits;
-#endif
-}
-
-/// Of the components in the block, those that the line comes near to, a bit for each. `unit`:
-/// 1 / |d|².
-DURER_INLINE unsigned met_by(const Block& block, const Ray& ray, double unit) {
-  const Double4 x = load(block.x) - ray.o.x;
-  const Double4 y = load(block.y) - ray.o.y;
-  const Double4 z = load(block.z) - ray.o.z;
-  const Double4 t = (x * ray.d.x + y * ray.d.y + z * ray.d.z) * unit;
-  const Double4 off_x = x - t * ray.d.x;
-  const Double4 off_y = y - t * ray.d.y;
-  const Double4 off_z = z - t * ray.d.z;
-  return bits_of(off_x * off_x + off_y * off_y + off_z * off_z < load(block.radius2));
-}
-
-DURER_INLINE unsigned holding(const Block& block, dvec3 p) {
-  const Double4 x = load(block.x) - p.x;
-  const Double4 y = load(block.y) - p.y;
-  const Double4 z = load(block.z) - p.z;
-  return bits_of(x * x + y * y + z * z < load(block.radius2));
+/// `unit`: 1 / |d|².
+DURER_INLINE Meeting meet(const Block& block, const Ray& ray, double unit, const BlobLine& line) {
+  const Double4 x = load4(block.x) - ray.o.x;
+  const Double4 y = load4(block.y) - ray.o.y;
+  const Double4 z = load4(block.z) - ray.o.z;
+  Meeting m;
+  m.middle = (x * ray.d.x + y * ray.d.y + z * ray.d.z) * unit;
+  const Double4 off_x = x - m.middle * ray.d.x;
+  const Double4 off_y = y - m.middle * ray.d.y;
+  const Double4 off_z = z - m.middle * ray.d.z;
+  const Double4 radius2 = load4(block.radius2);
+  m.top = radius2 - (off_x * off_x + off_y * off_y + off_z * off_z);
+  // Lanes that hold no number are compared, and left out.
+  const Double4 half = wide::root_of(m.top * unit);
+  m.begin = wide::greater_of(m.middle - half, line.t_from + Double4{});
+  m.end = wide::less_of(m.middle + half, line.t_to + Double4{});
+  m.met = wide::bits_of((m.top > epsilon * radius2) & (m.begin < m.end));
+  const Double4 more = m.top - load4(block.full);
+  const Double4 full_half = wide::root_of(more * unit);
+  constexpr double never = std::numeric_limits<double>::infinity();
+  m.full_begin = more > Double4{} ? wide::greater_of(m.middle - full_half, m.begin) : never + Double4{};
+  m.full_end = wide::less_of(m.middle + full_half, m.end);
+  return m;
 }
 
 DURER_INLINE bool gather_in(const BlobData& blob, const Ray& ray, BlobReach reach,
                             BlobLine& line) {
-  const double unit = 1 / glm::dot(ray.d, ray.d);
+  const double bend = glm::dot(ray.d, ray.d);
+  const double unit = 1 / bend;
   bool full = false;
-  const auto meet = [&](const BlobComponent& component) DURER_LAMBDA_INLINE {
-    const std::size_t first = line.stretches.size();
-    component.append_stretches(ray, unit, line.t_from, line.t_to, line.stretches);
-    if (reach == BlobReach::whole) return;
-    for (std::size_t k = first; k < line.stretches.size(); ++k) {
-      const BlobStretch& s = line.stretches[k];
-      if (!(s.full_begin < s.full_end)) continue;
-      full = true;
-      line.t_to = std::min(line.t_to, s.full_begin);
-    }
+  const auto look_at = [&](const BlobStretch& s) DURER_LAMBDA_INLINE {
+    if (reach == BlobReach::whole || !(s.full_begin < s.full_end)) return;
+    full = true;
+    line.t_to = std::min(line.t_to, s.full_begin);
   };
   wide::along(blob.tree, ray, line.t_from, line.t_to, [&](std::uint32_t i) DURER_LAMBDA_INLINE {
     const Block& block = blob.blocks[i];
-    for (unsigned left = met_by(block, ray, unit); left != 0; left &= left - 1) {
-      meet(blob.components[block.component[static_cast<std::size_t>(std::countr_zero(left))]]);
-    }
+    const Meeting m = meet(block, ray, unit, line);
+    wide::each_bit(m.met & ~block.others, [&](std::size_t k) DURER_LAMBDA_INLINE {
+      line.stretches.push_back({m.begin[k], m.end[k], m.middle[k], m.top[k], bend,
+                                block.strength[k], m.full_begin[k], m.full_end[k]});
+      look_at(line.stretches.back());
+    });
+    wide::each_bit(m.met & block.others, [&](std::size_t k) DURER_LAMBDA_INLINE {
+      std::size_t next = line.stretches.size();
+      blob.components[block.component[k]].append_stretches(ray, line.t_from, line.t_to,
+                                                           line.stretches);
+      for (; next < line.stretches.size(); ++next) look_at(line.stretches[next]);
+    });
     return full && reach == BlobReach::any_full ? line.t_from - 1 : line.t_to;
   });
   return full && reach == BlobReach::any_full;
 }
 
 DURER_INLINE dvec3 fall_in(const BlobData& blob, dvec3 p) {
-  dvec3 sum(0.0);
+  Double4 sum_x{};
+  Double4 sum_y{};
+  Double4 sum_z{};
+  dvec3 others(0.0);
   wide::at(blob.tree, p, [&](std::uint32_t i) DURER_LAMBDA_INLINE {
     const Block& block = blob.blocks[i];
-    for (unsigned left = holding(block, p); left != 0; left &= left - 1) {
-      sum += blob.components[block.component[static_cast<std::size_t>(std::countr_zero(left))]].fall(p);
-    }
+    const Double4 x = p.x - load4(block.x);
+    const Double4 y = p.y - load4(block.y);
+    const Double4 z = p.z - load4(block.z);
+    const Double4 root = load4(block.radius2) - (x * x + y * y + z * z);
+    const Double4 steep = wide::greater_of(root, Double4{}) * load4(block.strength);
+    sum_x += steep * x;
+    sum_y += steep * y;
+    sum_z += steep * z;
+    wide::each_bit(block.others & wide::bits_of(root > Double4{}), [&](std::size_t k) {
+      others += blob.components[block.component[k]].fall(p);
+    });
   });
-  return sum;
+  const auto all = [](Double4 v) { return (v[0] + v[1]) + (v[2] + v[3]); };
+  return 4.0 * dvec3(all(sum_x), all(sum_y), all(sum_z)) + others;
 }
 
 #if DURER_HAS_WIDE
@@ -109,11 +118,18 @@ Block block_of(std::span<const std::uint32_t> items, const std::vector<BlobCompo
   block.count = static_cast<std::uint32_t>(items.size());
   for (std::size_t i = 0; i < items.size(); ++i) {
     const BlobComponent& c = all[items[i]];
-    const dvec3 middle = 0.5 * (c.reach.lo + c.reach.hi);
+    const dvec3 middle = c.plain ? -c.to_own.t : 0.5 * (c.reach.lo + c.reach.hi);
     const dvec3 half = 0.5 * (c.reach.hi - c.reach.lo);
     block.x[i] = middle.x, block.y[i] = middle.y, block.z[i] = middle.z;
-    block.radius2[i] = (1 + 1e-6) * (c.moved_only ? c.radius2 : glm::dot(half, half));
     block.component[i] = items[i];
+    if (c.plain) {
+      block.radius2[i] = c.radius2;
+      block.strength[i] = c.strength;
+      block.full[i] = c.full;
+    } else {
+      block.radius2[i] = (1 + 1e-6) * glm::dot(half, half);
+      block.others |= 1U << i;
+    }
   }
   return block;
 }

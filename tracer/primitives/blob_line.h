@@ -57,11 +57,14 @@ class BlobData {
   [[nodiscard]] const Bounds3& bounds() const { return tree.bounds; }
 
   static constexpr std::size_t block_size = 4;
-  /// Balls around components that lie next to each other.
+  /// Components that lie next to each other: balls, or the balls around what is none.
   struct alignas(32) Block {
     std::array<double, block_size> x, y, z, radius2;
+    std::array<double, block_size> strength;  // 0: no ball, ask the component
+    std::array<double, block_size> full;      // see BlobComponent
     std::array<std::uint32_t, block_size> component;
     std::uint32_t count = 0;
+    unsigned others = 0;  // a bit for each that is no ball
   };
 
   double threshold = 1;

@@ -37,7 +37,8 @@ class HeightGrid {
   /// above or below all of it. Both return false to stop.
   template <typename Cell, typename Skip>
   void walk(const Ray& ray, double t_in, double t_out, Cell&& cell, Skip&& skip) const {
-    descend(ray, static_cast<std::uint32_t>(levels_.size() - 1), 0, 0, t_in, t_out, cell, skip);
+    const Slanted slanted{ray, 1 / ray.d.x, 1 / ray.d.z};
+    descend(slanted, static_cast<std::uint32_t>(levels_.size() - 1), 0, 0, t_in, t_out, cell, skip);
   }
 
  private:
@@ -52,8 +53,14 @@ class HeightGrid {
     std::vector<Extremes> cells;
   };
 
+  struct Slanted {
+    const Ray& ray;
+    double inverse_x;
+    double inverse_z;
+  };
+
   template <typename Cell, typename Skip>
-  bool descend(const Ray& ray, std::uint32_t level, std::uint32_t i, std::uint32_t j, double t_in,
+  bool descend(const Slanted& slanted, std::uint32_t level, std::uint32_t i, std::uint32_t j, double t_in,
                double t_out, Cell& cell, Skip& skip) const;
 
   std::uint32_t columns_;
@@ -63,8 +70,10 @@ class HeightGrid {
 };
 
 template <typename Cell, typename Skip>
-bool HeightGrid::descend(const Ray& ray, std::uint32_t level, std::uint32_t i, std::uint32_t j,
-                         double t_in, double t_out, Cell& cell, Skip& skip) const {
+bool HeightGrid::descend(const Slanted& slanted, std::uint32_t level, std::uint32_t i,
+                         std::uint32_t j, double t_in, double t_out, Cell& cell,
+                         Skip& skip) const {
+  const Ray& ray = slanted.ray;
   const Level& here = levels_[level];
   if (i >= here.columns || j >= here.rows) return true;
   const Extremes e = here.cells[static_cast<std::size_t>(j) * here.columns + i];
@@ -77,8 +86,8 @@ bool HeightGrid::descend(const Ray& ray, std::uint32_t level, std::uint32_t i, s
   const double size = static_cast<double>(1U << (level - 1));
   const double x_mid = (2 * i + 1) * size;
   const double z_mid = (2 * j + 1) * size;
-  const double tx = (x_mid - ray.o.x) / ray.d.x;
-  const double tz = (z_mid - ray.o.z) / ray.d.z;
+  const double tx = (x_mid - ray.o.x) * slanted.inverse_x;
+  const double tz = (z_mid - ray.o.z) * slanted.inverse_z;
   // On which side the piece begins; it changes sides at tx and tz, if these lie within.
   bool right = tx > t_in ? ray.d.x < 0 : ray.d.x > 0;
   bool far = tz > t_in ? ray.d.z < 0 : ray.d.z > 0;
@@ -89,7 +98,7 @@ bool HeightGrid::descend(const Ray& ray, std::uint32_t level, std::uint32_t i, s
   double t = t_in;
   const bool x_first = cuts_x && !(cuts_z && tz < tx);
   const auto go = [&](double until) {
-    const bool on = descend(ray, level - 1, 2 * i + (right ? 1 : 0), 2 * j + (far ? 1 : 0), t,
+    const bool on = descend(slanted, level - 1, 2 * i + (right ? 1 : 0), 2 * j + (far ? 1 : 0), t,
                             until, cell, skip);
     t = until;
     return on;
