@@ -32,11 +32,13 @@ DURER_INLINE Meeting meet(const Block& block, const Ray& ray, double unit, const
   const Double4 off_z = z - m.middle * ray.d.z;
   const Double4 radius2 = load4(block.radius2);
   m.top = radius2 - (off_x * off_x + off_y * off_y + off_z * off_z);
+  m.met = wide::bits_of(m.top > epsilon * radius2);
+  if (m.met == 0) return m;
   // Lanes that hold no number are compared, and left out.
   const Double4 half = wide::root_of(m.top * unit);
   m.begin = wide::greater_of(m.middle - half, line.t_from + Double4{});
   m.end = wide::less_of(m.middle + half, line.t_to + Double4{});
-  m.met = wide::bits_of((m.top > epsilon * radius2) & (m.begin < m.end));
+  m.met &= wide::bits_of(m.begin < m.end);
   const Double4 more = m.top - load4(block.full);
   const Double4 full_half = wide::root_of(more * unit);
   constexpr double never = std::numeric_limits<double>::infinity();

@@ -7,8 +7,6 @@
 #include <map>
 #include <mutex>
 
-#include "tracer/accel/lanes.h"
-
 namespace durer::tracer {
 
 std::shared_ptr<const HeightGrid> shared_height_grid(
@@ -87,19 +85,18 @@ dvec3 HeightGrid::vertex_normal(std::uint32_t i, std::uint32_t j) const {
   const bool right = i < columns_;
   const bool down = j > 0;
   const bool up = j < rows_;
-  const double y_left = left ? y - height(i - 1, j) : 0;
-  const double y_right = right ? y - height(i + 1, j) : 0;
-  const double y_down = down ? y - height(i, j - 1) : 0;
-  const double y_up = up ? y - height(i, j + 1) : 0;
-  // All four at once: right and below, left and below, left and above, right and above.
-  using wide::Double4;
-  const Double4 x{y_right, -y_left, -y_left, y_right};
-  const Double4 z{-y_down, -y_down, y_up, y_up};
-  const Double4 exists{right && down ? 1.0 : 0.0, left && down ? 1.0 : 0.0,
-                       left && up ? 1.0 : 0.0, right && up ? 1.0 : 0.0};
-  const Double4 unit = exists / wide::root_of(x * x + 1.0 + z * z);
-  const auto all = [](Double4 v) { return ((v[0] + v[1]) + v[2]) + v[3]; };
-  dvec3 sum(all(unit * x), all(unit), all(unit * z));
+  dvec3 sum(0.0);
+  const auto add = [&](bool has_x, double y_x, double dx, bool has_z, double y_z, double dz) {
+    if (has_x && has_z) sum += glm::normalize(dvec3(dx * (y - y_x), 1, dz * (y - y_z)));
+  };
+  const double y_left = left ? height(i - 1, j) : 0;
+  const double y_right = right ? height(i + 1, j) : 0;
+  const double y_down = down ? height(i, j - 1) : 0;
+  const double y_up = up ? height(i, j + 1) : 0;
+  add(right, y_right, 1, down, y_down, -1);
+  add(left, y_left, -1, down, y_down, -1);
+  add(left, y_left, -1, up, y_up, 1);
+  add(right, y_right, 1, up, y_up, 1);
   sum = glm::normalize(sum);
   for (int k = 0; k < 3; ++k) sum[k] = std::trunc(32767 * sum[k]) / 32767;
   return sum;
