@@ -28,7 +28,7 @@ enum Side : unsigned { negative_side = 1, zero_side = 2, positive_side = 4 };
          (c.hi > 0 || c.nan ? positive_side : 0u);
 }
 
-[[nodiscard]] inline unsigned sides(const Trend& c) { return sides(c.v); }
+[[nodiscard]] inline unsigned sides(const Trend& c) { return sides(c.range()); }
 
 [[nodiscard]] inline FrameStack<double>& frames(Workspace& w, double) { return w.points; }
 [[nodiscard]] inline FrameStack<Pack>& frames(Workspace& w, const Pack&) { return w.batches; }
@@ -54,7 +54,7 @@ template <class T>
 }
 
 [[nodiscard]] inline bool loop_is_unbounded(const Trend& from, const Trend& to) {
-  return loop_is_unbounded(from.v, to.v);
+  return loop_is_unbounded(from.range(), to.range());
 }
 
 /// Executes one tape on one frame of registers.
@@ -162,7 +162,7 @@ class Machine {
     if constexpr (std::is_same_v<T, Interval>) {
       return hull(value, others);
     } else if constexpr (std::is_same_v<T, Trend>) {
-      return Trend::erratic(hull(value.v, others.v));
+      return Trend::erratic(hull(value.range(), others.range()));
     } else if (bit == zero_side) {
       return where(eq(condition, T(0)), value, others);
     } else {  // positive: neither negative nor zero, so that NaN counts as positive

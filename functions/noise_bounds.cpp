@@ -139,31 +139,46 @@ Interval noise(Interval x, Interval y, Interval z, NoiseGenerator generator) {
   return r;
 }
 
-Trend noise(const Trend& x, const Trend& y, const Trend& z, NoiseGenerator generator) {
-  if (x.v.is_point() && y.v.is_point() && z.v.is_point()) {
-    return noise(dvec3(x.v.lo, y.v.lo, z.v.lo), generator);
+namespace {
+
+/// A formula with the value `v` and these slopes along its three arguments.
+Trend change_of(const Interval& v, const Trend::Slopes& slopes,
+                const std::array<const Trend*, 3>& arguments) {
+  Trend r;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Trend& a = *arguments[axis];
+    if (!trend_detail::is_constant(a)) r = r + trend_detail::chain(trend_detail::zero, slopes[axis], a);
   }
-  const std::optional<Sum> sum = sum_over_cells(x.v, y.v, z.v, generator);
+  return Trend(r.all(), v);
+}
+
+}  // namespace
+
+Trend noise(const Trend& x, const Trend& y, const Trend& z, NoiseGenerator generator) {
+  const Interval px = x.range();
+  const Interval py = y.range();
+  const Interval pz = z.range();
+  if (px.is_point() && py.is_point() && pz.is_point()) {
+    return noise(dvec3(px.lo, py.lo, pz.lo), generator);
+  }
+  const std::optional<Sum> sum = sum_over_cells(px, py, pz, generator);
   if (!sum) {
     // No slope of the noise is steeper than this (builtin-functions §8 measured 2.5).
     const Interval any{-4, 4};
-    Trend r(unknown_noise(x.v, y.v, z.v), {});
-    for (int i = 0; i < 3; ++i) r.d[i] = any * x.d[i] + any * y.d[i] + any * z.d[i];
-    return r.v.nan ? Trend::erratic(r.v) : r;
+    const Interval v = unknown_noise(px, py, pz);
+    return v.nan ? Trend::erratic(v) : change_of(v, {any, any, any}, {&x, &y, &z});
   }
-  Trend r(clamped_noise(sum->v, generator), {});
-  r.v.nan = x.v.nan || y.v.nan || z.v.nan;
+  Interval v = clamped_noise(sum->v, generator);
+  v.nan = px.nan || py.nan || pz.nan;
   const double scale = noise_scale(generator).scale;
   // Where the value is clamped it is flat.
-  const bool clamped = r.v.lo <= 0 || r.v.hi >= 1;
-  const std::array<const Trend*, 3> arguments{&x, &y, &z};
-  for (int axis = 0; axis < 3; ++axis) {
-    Interval slope = sum->d[axis] * Interval(scale);
-    if (clamped) slope = hull(slope, 0.0);
-    const Trend& a = *arguments[axis];
-    for (int i = 0; i < 3; ++i) r.d[i] += trend_detail::product(slope, a.d[i]);
+  const bool clamped = v.lo <= 0 || v.hi >= 1;
+  Trend::Slopes slopes{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    slopes[axis] = sum->d[axis] * Interval(scale);
+    if (clamped) slopes[axis] = hull(slopes[axis], 0.0);
   }
-  return r;
+  return change_of(v, slopes, {&x, &y, &z});
 }
 
 Dual noise(const Dual& x, const Dual& y, const Dual& z, NoiseGenerator generator) {

@@ -53,11 +53,11 @@ int axis_to_halve(const Trend& trend, const dvec3& half) {
   double most = -1;
   bool known = true;
   for (int k = 0; k < 3; ++k) {
-    const Interval& d = trend.d[static_cast<std::size_t>(k)];
-    known = known && !d.nan && d.is_bounded();
+    const Interval d = trend.slope(static_cast<std::size_t>(k));
+    known = known && d.is_bounded();
   }
   for (int k = 0; k < 3; ++k) {
-    const Interval& d = trend.d[static_cast<std::size_t>(k)];
+    const Interval d = trend.slope(static_cast<std::size_t>(k));
     const double steepest =
         known ? std::max(std::abs(d.lo), std::abs(d.hi)) + 2 * (d.hi - d.lo) : 1;
     if (steepest * half[k] > most) {
@@ -184,17 +184,18 @@ void FunctionField::examine(FieldCell& cell, FieldDetail& detail,
     cell.link.store({state, axis, &detail}, std::memory_order_relaxed);
   };
   const Trend trend = functions::evaluate_trend(*detail.tape, box, workspace);
-  if (!trend.v.nan) {
-    if (trend.v.hi <= threshold_) return set(State::inside);
-    if (trend.v.lo > threshold_) return set(State::outside);
+  const Interval range = trend.range();
+  if (!range.nan) {
+    if (range.hi <= threshold_) return set(State::inside);
+    if (range.lo > threshold_) return set(State::outside);
   }
   dvec3 slope(0.0);
   dvec3 spread(0.0);
-  bool known = !trend.v.nan;
+  bool known = !range.nan;
   for (int k = 0; k < 3; ++k) {
     const auto i = static_cast<std::size_t>(k);
-    const Interval& d = trend.d[i];
-    known = known && !d.nan && d.is_bounded();
+    const Interval d = trend.slope(i);
+    known = known && d.is_bounded();
     if (!known) break;
     cell.slope[i] = static_cast<float>(d.mid());
     slope[k] = static_cast<double>(cell.slope[i]);

@@ -40,10 +40,10 @@ int escapes(const Trend& t, const Box& box, std::mt19937& rng, Value value) {
     const auto q = point_in(box, rng);
     const double vp = value(p);
     const double vq = value(q);
-    if (!t.v.contains(vp)) ++escaped;
-    if (t.v.nan || vp != vp || vq != vq) continue;
+    if (!t.range().contains(vp)) ++escaped;
+    if (t.nan() || vp != vp || vq != vq) continue;
     Interval change;
-    for (std::size_t i = 0; i < 3; ++i) change += t.d[i] * Interval(q[i] - p[i]);
+    for (std::size_t i = 0; i < 3; ++i) change += t.slope(i) * Interval(q[i] - p[i]);
     const double slack = 1e-9 * (1 + std::abs(vp) + std::abs(vq));
     if (!Interval{change.lo - slack, change.hi + slack, change.nan}.contains(vq - vp)) ++escaped;
   }
@@ -111,7 +111,7 @@ TEST_CASE("trend: small boxes away from kinks know their slopes well", "[functio
   const Trend t = evaluate_trend(f, box, w);
   const Dual d = evaluate_gradient(f, {0.5005, 0.2005, 0.7005}, w);
   for (std::size_t i = 0; i < 3; ++i) {
-    CHECK(t.d[i].contains(d.d[static_cast<int>(i)]));
-    CHECK(t.d[i].hi - t.d[i].lo < 0.02);
+    CHECK(t.slope(i).contains(d.d[static_cast<int>(i)]));
+    CHECK(t.slope(i).hi - t.slope(i).lo < 0.02);
   }
 }
