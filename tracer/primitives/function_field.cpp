@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "functions/waves.h"
+
 namespace durer::tracer {
 namespace {
 
@@ -86,7 +88,7 @@ functions::Workspace& function_workspace(functions::NoiseGenerator generator) {
 
 FunctionField::FunctionField(functions::FunctionRef function, double threshold, const Bounds3& box,
                              functions::NoiseGenerator generator)
-    : function_(std::move(function)),
+    : function_(std::make_shared<const functions::Function>(functions::with_waves(*function))),
       threshold_(threshold),
       box_(box),
       generator_(generator),

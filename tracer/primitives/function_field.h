@@ -103,7 +103,8 @@ class FunctionField {
   FunctionField(const FunctionField&) = delete;
   FunctionField& operator=(const FunctionField&) = delete;
 
-  [[nodiscard]] const functions::Function& function() const { return *function_; }
+  /// The function as it is evaluated: in the last bits not the one that was given.
+  [[nodiscard]] const functions::FunctionRef& function() const { return function_; }
   [[nodiscard]] double threshold() const { return threshold_; }
   [[nodiscard]] const Bounds3& box() const { return box_; }
   [[nodiscard]] functions::NoiseGenerator generator() const { return generator_; }
