@@ -18,9 +18,9 @@ struct Ranges {
   DoublePair hi[2]{};
 
   [[nodiscard]] Interval at(std::size_t i) const { return {lo[i / 2][i % 2], hi[i / 2][i % 2]}; }
-  void set(std::size_t i, const Interval& r) {
-    lo[i / 2][i % 2] = r.lo;
-    hi[i / 2][i % 2] = r.hi;
+  /// The first range replaced. In registers: what is stored in halves is slow to load as a whole.
+  [[nodiscard]] Ranges with_first(const Interval& r) const {
+    return {{DoublePair{r.lo, lo[0][1]}, lo[1]}, {DoublePair{r.hi, hi[0][1]}, hi[1]}};
   }
   [[nodiscard]] bool is_bounded() const {
     constexpr double inf = std::numeric_limits<double>::infinity();

@@ -20,20 +20,14 @@ class Trend {
   using Slopes = std::array<Interval, 3>;
 
   Trend() = default;
-  Trend(double value) : Trend(Interval(value), Slopes{}) {}  // NOLINT: a number is a constant
-  Trend(const Interval& range, const Slopes& slopes) : nan_(range.nan) {
-    all_.set(0, range);
-    for (std::size_t i = 0; i < 3; ++i) {
-      all_.set(i + 1, slopes[i].nan ? Interval::entire() : slopes[i]);
-    }
-    bounded_ = all_.is_bounded();
-  }
+  Trend(double value)  // NOLINT: a number is a constant
+      : Trend(Ranges{}, Interval(value)) {}
+  Trend(const Interval& range, const Slopes& slopes)
+      : Trend(side_by_side(range, known(slopes[0]), known(slopes[1]), known(slopes[2])),
+              range.nan) {}
   /// From ranges of the value and the slopes, of which the first may be replaced.
   Trend(const Ranges& all, bool nan) : all_(all), bounded_(all.is_bounded()), nan_(nan) {}
-  Trend(Ranges all, const Interval& range) : all_(all), nan_(range.nan) {
-    all_.set(0, range);
-    bounded_ = all_.is_bounded();
-  }
+  Trend(const Ranges& all, const Interval& range) : Trend(all.with_first(range), range.nan) {}
   /// The coordinate along `axis`.
   [[nodiscard]] static Trend coordinate(const Interval& range, std::size_t axis) {
     Slopes slopes{};
@@ -59,6 +53,13 @@ class Trend {
   [[nodiscard]] bool is_bounded() const { return bounded_; }
 
  private:
+  static Interval known(const Interval& slope) { return slope.nan ? Interval::entire() : slope; }
+  static Ranges side_by_side(const Interval& a, const Interval& b, const Interval& c,
+                             const Interval& d) {
+    return {{DoublePair{a.lo, b.lo}, DoublePair{c.lo, d.lo}},
+            {DoublePair{a.hi, b.hi}, DoublePair{c.hi, d.hi}}};
+  }
+
   Ranges all_;
   bool bounded_ = true;
   bool nan_ = false;
@@ -131,8 +132,7 @@ template <class F>
 }
 [[nodiscard]] inline Trend operator*(const Trend& a, const Trend& b) {
   if (a.is_bounded() && b.is_bounded()) {
-    Ranges slopes = b.all();
-    slopes.set(0, trend_detail::zero);
+    const Ranges slopes = b.all().with_first(trend_detail::zero);
     const Trend r(a.all() * b.range() + slopes * a.range(), a.nan() || b.nan());
     if (r.is_bounded()) return r;
   }

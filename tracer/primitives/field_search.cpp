@@ -86,9 +86,9 @@ void FieldSearch::walk(double t0, double t1) {
       } else if (link.state() < State::whole) {
         examine(link.detail(), line, t0, now.end);
       } else {
-        if (link.state() == State::whole) link = field_.split(*now.cell, link);
         const int k = link.axis();
         const std::size_t near = nearer[static_cast<std::size_t>(k)];
+        if (link.state() == State::whole) link = field_.split(*now.cell, link, near);
         const FieldHalves& halves = link.halves();
         const double beginning = std::max(t0, t_from_);
         const double middle = (halves.plane - ray_.o[k]) * inverse[k];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "functions/waves.h"
@@ -13,7 +14,7 @@ using functions::Function;
 using State = FieldLink::State;
 
 /// Slopes are known well if they vary by less than this share of the gradient.
-constexpr double smoothness = 0.35;
+constexpr double smoothness = 0.5;
 
 /// The least float that is not below `v`.
 float rounded_up(double v) {
@@ -94,6 +95,7 @@ FunctionField::FunctionField(functions::FunctionRef function, double threshold, 
       generator_(generator),
       has_bounds_(can_be_bounded(*function_)) {
   if (!has_bounds_) return;
+  trends_.emplace(function_);
   root_detail_.centre = centre();
   root_detail_.half = half();
   root_detail_.tape = function_.get();
@@ -102,14 +104,14 @@ FunctionField::FunctionField(functions::FunctionRef function, double threshold, 
 
 FunctionField::~FunctionField() { delete_halves(root_); }
 
-FieldLink FunctionField::split(const FieldCell& cell, FieldLink link) const {
+FieldLink FunctionField::split(const FieldCell& cell, FieldLink link, std::size_t next) const {
   functions::Workspace& workspace = function_workspace(generator_);
   auto made = std::make_unique<FieldHalves>();
   const FieldDetail& parent = link.detail();
   const int k = link.axis();
   made->plane = parent.centre[k];
   const double bound = load(cell.above);
-  for (std::size_t i = 0; i < 2; ++i) {
+  for (const std::size_t i : {1 - next, next}) {  // what is examined last is remembered
     FieldDetail& part = made->details[i];
     part = parent;
     part.half[k] *= 0.5;
@@ -178,14 +180,16 @@ void FunctionField::examine(FieldCell& cell, FieldDetail& detail,
   const dvec3& c = detail.centre;
   detail.cell = &cell;
   // A hair wider, because the ray's points are rounded.
-  const dvec3 reach = detail.half * (1 + 1e-9) + dvec3(1e-13 * glm::length(c));
+  const dvec3 farthest = glm::max(glm::abs(box_.lo), glm::abs(box_.hi));
+  const dvec3 reach = detail.half * (1 + 1e-9) + 1e-13 * (farthest.x + farthest.y + farthest.z);
   const std::array<Interval, 3> box{Interval{c.x - reach.x, c.x + reach.x},
                                     Interval{c.y - reach.y, c.y + reach.y},
                                     Interval{c.z - reach.z, c.z + reach.z}};
   const auto set = [&](State state, int axis = 0) {
     cell.link.store({state, axis, &detail}, std::memory_order_relaxed);
   };
-  const Trend trend = functions::evaluate_trend(*detail.tape, box, workspace);
+  thread_local functions::BoxTrends::Memory memory;
+  const Trend trend = (*trends_)(box, workspace, memory);
   const Interval range = trend.range();
   if (!range.nan) {
     if (range.hi <= threshold_) return set(State::inside);
