@@ -1,6 +1,7 @@
 // Ranges of values and slopes over boxes, against points and differences.
 #include <random>
 
+#include "functions/box_trends.h"
 #include "functions/evaluate.h"
 #include "functions/internals.h"
 #include "functions/waves.h"
@@ -180,5 +181,33 @@ TEST_CASE("waves: taken together they are what they were alone", "[functions][wa
       CHECK(escapes(evaluate_trend(g, box, w), box, rng,
                     [&](const auto& q) { return evaluate(g, q, w); }) == 0);
     }
+  }
+}
+
+TEST_CASE("box trends: what is remembered of the last box changes no bit", "[functions][trend]") {
+  Workspace w;
+  std::mt19937 rng(16);
+  const auto share = [](const char* body) {
+    return std::make_shared<const Function>(with_waves(parse_function(body)));
+  };
+  const std::array functions{share("sin(3*x)*y + f_noise3d(x, 0, z) - cos(z)"),
+                             share("select(x - y, x*x, y*z)")};
+  const BoxTrends first(functions[0]);
+  const BoxTrends second(functions[1]);
+  BoxTrends::Memory memory;  // of one thread, whatever the function
+  Box box = random_box(rng);
+  for (int i = 0; i < 500; ++i) {
+    const Box fresh = random_box(rng);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (rng() % 2 == 0) box[k] = fresh[k];
+    }
+    const std::size_t which = rng() % 4 == 0 ? 1 : 0;
+    const Trend t = (which == 0 ? first : second)(box, w, memory);
+    const Trend expected = evaluate_trend(*functions[which], box, w);
+    const auto same = [](const Interval& a, const Interval& b) {
+      return a.lo == b.lo && a.hi == b.hi && a.nan == b.nan;
+    };
+    REQUIRE(same(t.range(), expected.range()));
+    for (std::size_t k = 0; k < 3; ++k) REQUIRE(same(t.slope(k), expected.slope(k)));
   }
 }
