@@ -24,7 +24,7 @@ add_library(durer_geometry STATIC
   primitives/blob_field.cpp
   primitives/blob_line.cpp
   primitives/height_grid.cpp
-  primitives/julia_set.cpp
+  primitives/julia_set.cpp primitives/julia_lanes.cpp
   primitives/mesh_shape.cpp
   primitives/outline.cpp
   primitives/profile.cpp
