@@ -110,6 +110,7 @@ void Interpreter::remember(const ast::Tree& tree) {
   if (tree.file >= tree_of_.size()) tree_of_.resize(tree.file + 1);
   tree_of_[tree.file] = &tree;
   formulas_of_.resize(tree_of_.size());
+  statements_of_.resize(tree_of_.size());
 }
 
 // ---- the scene
@@ -120,6 +121,7 @@ void Interpreter::add_root(scene::ObjectId id) { scene_.roots.push_back({id, def
 void Interpreter::top_level() {
   for (;;) {
     reading_depth_ = no_reader;
+    run_ahead(nullptr);
     const Token t = next();
     if (t.kind == Token::Kind::end) return;
     if (t.is_punct(';')) continue;

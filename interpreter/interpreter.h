@@ -22,6 +22,7 @@
 #include "interpreter/formula.h"
 #include "interpreter/interpret.h"
 #include "interpreter/plain_look.h"
+#include "interpreter/statements.h"
 #include "interpreter/stream.h"
 #include "interpreter/value.h"
 #include "scene/scene.h"
@@ -142,10 +143,13 @@ class Interpreter {
   bool condition(const ast::Tree& tree, ast::ExprId id);
   bool is_defined(const ast::Tree& tree, ast::ExprId id);
   void call_macro(const ast::Tree& tree, ast::ExprId call, bool flatten);
+  void count_call(const ast::Macro& macro, Span call);
+  Frame& open_macro(const MacroRef& ref, ast::Range items, Span call, std::size_t first);
   void enter_macro(const ast::Tree& tree, ast::ExprId call, const MacroRef& ref, ast::Range items,
                    bool flatten);
   [[nodiscard]] bool adds_up(const ast::Tree& tree, ast::ExprId id);
   void add_argument(const ast::Tree& tree, ast::ExprId arg, bool optional = false);
+  void add_argument(const ast::Tree& tree, const CallPlan::Argument& argument);
   void read_open_arguments(const ast::Tree& tree, ast::Range items, const MacroRef& ref);
   [[nodiscard]] const MacroRef* value_macro(const ast::Tree& tree, ast::ExprId id,
                                             bool alone) const;
@@ -192,11 +196,26 @@ class Interpreter {
   }
   void missing_semicolon(const ast::Declare& node, const Num& n);
   bool quick_assign(const ast::Tree& tree, const ast::Declare& node);
+  bool quick_assign(const ast::Declare& node, Formula& formula);
+  [[nodiscard]] static bool assigns_variable(const ast::Declare& node);
   static void store_number(Value& target, Num n);
   void check_kind(const Value* first, const Array& array, const Value& value, Span span);
   void store(Value& target, Value value, bool is_element, const Array* array, Span span);
   void default_block();
   void set_version(double v, Span span);
+
+  // ---- statements.cpp, statement_plans.cpp: statements that were met before
+  void run_ahead(std::vector<scene::ObjectId>* children);
+  bool run_ahead_once(std::vector<scene::ObjectId>* children);
+  Statement& statement_at(const ast::Tree& tree, std::uint32_t pos);
+  void prepare(Statement& s, const ast::Tree& tree, std::uint32_t pos);
+  std::unique_ptr<CallPlan> plan_call(const ast::Tree& tree, ast::ExprId id);
+  std::unique_ptr<ObjectPlan> plan_object(const ast::Tree& tree, std::uint32_t pos);
+  bool plan_operands(ObjectPlan& plan, const Frame& block, std::uint32_t& pos);
+  bool plan_step(ObjectPlan& plan, const Frame& block, std::uint32_t& pos);
+  bool plan_colour(ObjectPlan::Step& step, const ast::Tree& tree, ast::Range items);
+  bool run_call(const ast::Tree& tree, const CallPlan& plan);
+  bool run_object(const Span& word, const ObjectPlan& plan, std::vector<scene::ObjectId>* children);
 
   // ---- places.cpp, additions.cpp: dictionaries and what else is new in 3.8
   enum class Access : std::uint8_t { read, probe, write };
@@ -291,6 +310,8 @@ class Interpreter {
   int work_out(const ast::Tree& tree, ast::ExprId id, int want, double* v);
   /// The compiled way to a value (formula.h), valid until the next; null if there is none here.
   const Operand* quick(const ast::Tree& tree, ast::ExprId id, int want);
+  const Operand* run_formula(Formula& formula, int want);
+  Formula* formula_of(const ast::Tree& tree, ast::ExprId id);
   Formula& new_formula(const ast::Tree& tree, ast::ExprId id);
   int work_out_full(const ast::Tree& tree, ast::ExprId id, int want, double* v);
   double work_out_float(const ast::Tree& tree, ast::ExprId id, std::string_view what);
@@ -487,6 +508,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
 
   scene::Object read_csg(scene::NodeKind kind, const Token& word);
   scene::ObjectId read_object_modifiers(scene::Object object, const Token& word, Span opened);
+  scene::ObjectId complete_object(scene::Object object);
   bool object_modifier(scene::Object& object, const Token& token);
   void transform_object(scene::Object& object, const Transform& t);
   void read_clips(scene::Object& object, bool clip);
@@ -498,6 +520,24 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   scene::TextureId read_texture(std::string_view block);
   scene::Texture materialize(const scene::TextureUse& use);
   void edit_texture(scene::TextureUse& use, const Token& word);
+  /// Changes the texture in use by `edit`, in place if this statement has made it.
+  template <typename Edit>
+  void change_texture(scene::TextureUse& use, Edit&& edit) {
+    const bool own = use.texture == own_texture_ && own_texture_ != scene::none;
+    if (!own) {
+      scene::Texture t = materialize(use);
+      edit(t);
+      use = {add_texture(std::move(t)), {}};
+      own_texture_ = use.texture;
+      return;
+    }
+    // Nobody else has seen it.
+    scene::Texture t = std::move(scene_.textures[use.texture]);
+    if (!use.transform.is_identity()) transform_texture(t, use.transform);
+    edit(t);
+    scene_.textures[use.texture] = std::move(t);
+    use.transform = {};
+  }
   void add_layers(scene::TextureUse& use, scene::TextureId layers);
   void transform_texture(scene::Texture& texture, const Transform& t);
   void edit_layer(scene::Layer& layer, const Token& word);
@@ -514,6 +554,8 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   void share_texture(scene::TextureUse& use);
   [[nodiscard]] static bool is_plain(const scene::Texture& texture);
   bool quick_pigment(scene::TextureUse& use);
+  [[nodiscard]] bool takes_paint(scene::TextureId texture);
+  void paint(scene::TextureUse& use, const Colour& colour, Span written);
   scene::Pigment read_pigment(scene::Pigment start);
   void read_pigment_body(scene::Pigment& pigment, Token::Kind last);
   void start_pigment_pattern(scene::Pigment& pigment, std::uint32_t index, const Token& word);
@@ -549,6 +591,9 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   scene::Finish read_finish(scene::Finish start);
   // ---- constant_blocks.cpp
   const ast::Group* constant_block();
+  [[nodiscard]] bool is_constant_block(const ast::Tree& tree, const ast::Group& group);
+  [[nodiscard]] const Boxed<scene::Finish>* known_finish(const ast::Group& block,
+                                                         const Boxed<scene::Finish>& start) const;
   Boxed<scene::Finish> read_shared_finish(const Boxed<scene::Finish>& start);
   void read_reflection(scene::Finish& finish);
   scene::InteriorId read_interior();
@@ -622,6 +667,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   std::vector<const ast::Tree*> tree_of_;  // by file
   std::vector<std::vector<Formula*>> formulas_of_;  // by file, expression
   std::deque<Formula> formulas_;
+  std::vector<std::vector<std::unique_ptr<Statement>>> statements_of_;  // by file, first item
   Formula no_formula_;
   std::unordered_set<std::uint64_t> warned_;
   std::unordered_set<Loc> reported_;  // places of errors

@@ -204,6 +204,7 @@ scene::Object Interpreter::read_csg(scene::NodeKind kind, const Token& word) {
   o.kind = kind;
   o.origin = origin(word.span);
   for (;;) {
+    run_ahead(&o.children);
     const Token t = peek();
     if (starts_object(t)) {
       next();
@@ -259,6 +260,11 @@ scene::ObjectId Interpreter::read_object_modifiers(scene::Object object, const T
     d.labels.push_back({word.span.to(opened), "in this block"});
     fail(std::move(d));
   }
+  return complete_object(std::move(object));
+}
+
+/// At the end of its statement.
+scene::ObjectId Interpreter::complete_object(scene::Object object) {
   if (own_texture_ != scene::none && object.texture.texture == own_texture_) {
     share_texture(object.texture);
   }

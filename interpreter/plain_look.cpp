@@ -32,28 +32,38 @@ void Interpreter::share_texture(scene::TextureUse& use) {
   scene_.textures.pop_back();
 }
 
+/// True if a colour can be laid over the texture in use; it is finished, and plain.
+bool Interpreter::takes_paint(scene::TextureId texture) {
+  if (texture == own_texture_) return false;  // it is in the making
+  if (texture == plain_base_) return true;    // textures that are not in the making never change
+  if (!is_plain(scene_.textures[texture])) return false;
+  plain_base_ = texture;
+  return true;
+}
+
 /// `pigment { rgb C }` on a plain texture. False, with nothing read, if this is anything else.
 bool Interpreter::quick_pigment(scene::TextureUse& use) {
-  if (use.texture == own_texture_) return false;  // it is in the making
-  const scene::Texture& base = scene_.textures[use.texture];
-  if (use.texture != plain_base_) {
-    if (!is_plain(base)) return false;
-    plain_base_ = use.texture;  // textures that are not in the making never change
-  }
+  if (!takes_paint(use.texture)) return false;
   const std::optional<Colour> colour = quick_colour_block();
   if (!colour) return false;
-  const PlainLook look{*colour, base.layers[0].finish.identity()};
+  paint(use, *colour, frames_.back().tree->items[frames_.back().pos - 1].span);
+  return true;
+}
+
+/// Gives the texture in use, which takes paint, another colour; `written` is where it stands.
+void Interpreter::paint(scene::TextureUse& use, const Colour& colour, Span written) {
+  const scene::Texture& base = scene_.textures[use.texture];
+  const PlainLook look{colour, base.layers[0].finish.identity()};
   if (const auto known = plain_textures_.find(look); known != plain_textures_.end()) {
     use = {known->second, {}};
-    return true;
+    return;
   }
   scene::Texture t = base;
   scene::Pigment& pigment = t.layers[0].pigment.edit();
-  pigment.colour = *colour;
-  pigment.origin = origin(frames_.back().tree->items[frames_.back().pos - 1].span);
+  pigment.colour = colour;
+  pigment.origin = origin(written);
   use = {add_texture(std::move(t)), {}};
   own_texture_ = use.texture;  // a finish may follow; share_texture comes last
-  return true;
 }
 
 }  // namespace durer::interpreter

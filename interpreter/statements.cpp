@@ -1,0 +1,133 @@
+// Running prepared statements, where objects are wanted: at the top level and in CSG.
+#include "interpreter/statements.h"
+
+#include "interpreter/interpreter.h"
+
+namespace durer::interpreter {
+
+namespace w = grammar::words;
+
+/// Runs what comes next as far as it is prepared; what is left is to be pulled. Only for who wants
+/// objects and nothing else: they go into `children`, or become roots if there are none.
+void Interpreter::run_ahead(std::vector<scene::ObjectId>* children) {
+  if (version() < 150) return;
+  while (unread_.size() == unread_base_ && run_ahead_once(children)) {
+  }
+}
+
+bool Interpreter::run_ahead_once(std::vector<scene::ObjectId>* children) {
+  Frame& f = frames_.back();
+  if (!f.has_items() || f.flatten) return false;
+  if (f.pos >= f.end) {
+    if (f.kind == Frame::Kind::file || f.kind == Frame::Kind::group ||
+        f.kind == Frame::Kind::barrier) {
+      return false;
+    }
+    Token none;
+    step_end(none);
+    return true;
+  }
+  const ast::Tree& tree = *f.tree;
+  const ast::Item& item = tree.items[f.pos];
+  if (repeats_ == 0) {  // not worth preparing
+    if (item.kind != ast::ItemKind::directive) return false;
+    ++f.pos;
+    execute(tree, item);
+    return true;
+  }
+  Statement& s = statement_at(tree, f.pos);
+  switch (s.kind) {
+    case Statement::Kind::unknown:
+    case Statement::Kind::general: return false;
+    case Statement::Kind::assign:
+      if (quick_assign(*s.declare, *s.formula)) {
+        ++f.pos;
+        return true;
+      }
+      [[fallthrough]];
+    case Statement::Kind::directive:
+      ++f.pos;
+      execute(tree, item);
+      return true;
+    case Statement::Kind::call: return run_call(tree, *s.call);
+    case Statement::Kind::object:
+      if (run_object(item.span, *s.object, children)) return true;
+      constexpr std::uint8_t enough = 50;
+      if (++s.failures == enough) s.kind = Statement::Kind::general;
+      return false;
+  }
+  return false;
+}
+
+/// Makes the object that was planned, whose word and block come next; false, with nothing done, if
+/// anything about it is unusual now.
+bool Interpreter::run_object(const Span& word, const ObjectPlan& plan,
+                             std::vector<scene::ObjectId>* children) {
+  Peek peek(*this);
+  std::array<double, ObjectPlan::most_operands> args;  // NOLINT: filled from the fallback
+  std::ranges::copy(*plan.fallback, args.begin());
+  for (const ObjectPlan::Operand& operand : plan.operands) {
+    const Operand* result = run_formula(*operand.formula, operand.scalar ? 1 : 3);
+    if (result == nullptr || result->is_text()) return false;
+    if (result->length > (operand.scalar ? 1 : 3)) return false;
+    std::copy_n(result->v.begin(), operand.scalar ? 1 : 3, args.begin() + operand.offset);
+  }
+  const std::span operands(args.data(), plan.fallback->size());
+  if (plan.info->validate != nullptr && plan.info->validate(operands)) return false;
+  if (plan.info->doubt != nullptr && plan.info->doubt(operands)) return false;
+
+  std::array<Num, ObjectPlan::most_values> values;
+  std::size_t count = 0;
+  const Boxed<scene::Finish>* finish = nullptr;
+  for (const ObjectPlan::Step& step : plan.steps) {
+    if (step.word == w::finish) {
+      if (!takes_paint(default_texture_)) return false;
+      finish = known_finish(*step.block, scene_.textures[default_texture_].layers[0].finish);
+      if (finish == nullptr) return false;
+      continue;
+    }
+    const bool colour = step.word == w::pigment;
+    if (colour && !takes_paint(default_texture_)) return false;
+    const int wanted = !colour ? 3 : step.strict ? 1 : step.form.wanted > 0 ? step.form.wanted : 5;
+    const Operand* result = run_formula(*step.formula, wanted);
+    if (result == nullptr || result->is_text()) return false;
+    if (!colour && result->length > 3) return false;
+    if (step.strict && result->length != 5) return false;
+    values[count++] = result->number();
+  }
+  peek.keep();
+
+  ++frames_.back().pos;
+  ++frames_.back().pos;
+  scene::Object o;
+  o.kind = scene::NodeKind::primitive;
+  o.type = plan.type;
+  o.origin = origin(word);
+  o.args.assign(operands.begin(), operands.end());
+  count = 0;
+  for (const ObjectPlan::Step& step : plan.steps) {
+    if (step.word == w::finish) {
+      if (o.texture.texture == scene::none) o.texture = {default_texture_, {}};
+      change_texture(o.texture, [&](scene::Texture& t) { t.layers[0].finish = *finish; });
+    } else if (step.word == w::pigment) {
+      Num n = values[count++];
+      if (n.length == 1) n = Num::filled(n.v[0], step.form.wanted > 0 ? step.form.wanted : 5);
+      if (step.keyword != nullptr) {
+        check_components(n, step.form.wanted, step.keyword->ref, step.keyword->span);
+      }
+      o.texture = {default_texture_, {}};
+      paint(o.texture, to_colour(n, step.form).colour(), step.span);
+    } else {
+      transform_object(o, transformation(step.word, values[count++].vec(), step.span));
+    }
+  }
+  const scene::ObjectId id = complete_object(std::move(o));
+  if (children != nullptr) {
+    children->push_back(id);
+  } else {
+    add_root(id);
+  }
+  return true;
+}
+
+}  // namespace durer::interpreter
