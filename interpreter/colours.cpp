@@ -128,7 +128,7 @@ Num Interpreter::read_colour_num(bool strict) {
 /// if it holds anything else.
 std::optional<Colour> Interpreter::quick_colour_block() {
   Frame& f = frames_.back();
-  if (unread_.size() > unread_base_ || !f.has_items() || f.pos >= f.end || version() < 150) {
+  if (unread_.size() > unread_base_ || !f.has_items() || f.pos >= f.end || !takes_shortcuts()) {
     return std::nullopt;
   }
   const ast::Tree& tree = *f.tree;

@@ -52,7 +52,7 @@ bool is_constant(const ast::Tree& tree, ast::Range items) {
 /// The block that comes next, if it is constant and likely to come again.
 const ast::Group* Interpreter::constant_block() {
   const Frame& f = frames_.back();
-  if (repeats_ == 0 || unread_.size() > unread_base_ || !f.has_items() || f.pos >= f.end) {
+  if (repeats_ == 0 || !options_.shortcuts || unread_.size() > unread_base_ || !f.has_items() || f.pos >= f.end) {
     return nullptr;
   }
   const ast::Item& item = f.tree->items[f.pos];

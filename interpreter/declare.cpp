@@ -61,7 +61,7 @@ void Interpreter::store(Value& target, Value value, bool is_element, const Array
 /// string, or to a new one. False, with nothing done, if it is anything else.
 bool Interpreter::quick_assign(const ast::Tree& tree, const ast::Declare& node) {
   if (repeats_ == 0 || !assigns_variable(node)) return false;
-  if (tree.exprs[node.value].height < 2 || version() < 150) return false;
+  if (tree.exprs[node.value].height < 2 || !takes_shortcuts()) return false;
   Formula* const formula = formula_of(tree, node.value);
   return formula != nullptr && quick_assign(node, *formula);
 }

@@ -38,13 +38,6 @@ Value* Environment::referred(Slot* slot) {
   return v;
 }
 
-Slot& Environment::make() {
-  if (free_.empty()) return slots_.emplace_back();
-  Slot* slot = free_.back();
-  free_.pop_back();
-  return *slot;  // close_scope has emptied it
-}
-
 void Environment::link(Slot& slot, SymbolId name) { link(slot, name, scope()); }
 
 void Environment::link(Slot& slot, SymbolId name, std::uint32_t scope) {

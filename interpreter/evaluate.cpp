@@ -285,17 +285,16 @@ Formula* Interpreter::formula_of(const ast::Tree& tree, ast::ExprId id) {
 
 const Operand* Interpreter::quick(const ast::Tree& tree, ast::ExprId id, int want) {
   // What runs once is not worth compiling, and a single operand is as quick to look up.
-  if (repeats_ == 0 || tree.exprs[id].height < 2 || version() < 150) return nullptr;
+  if (repeats_ == 0 || tree.exprs[id].height < 2 || !takes_shortcuts()) return nullptr;
   Formula* const formula = formula_of(tree, id);
   return formula == nullptr ? nullptr : run_formula(*formula, want);
 }
 
 const Operand* Interpreter::run_formula(Formula& formula, int want) {
   if (formula.calls_functions) workspace_.context.noise_generator = noise_generator();
-  if (const Operand* result = machine_.run(formula, want)) {
+  if (const Operand* result = machine_.run(formula, want)) [[likely]] {
     turns_ += formula.calls;
     if (peek_ != nullptr) machine_.tell_draws(*peek_);
-    if (!formula.shines_through && !result->is_text()) machine_.clear_beyond_length();
     return result;
   }
   constexpr std::uint8_t enough = 8;

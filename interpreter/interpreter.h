@@ -207,7 +207,13 @@ class Interpreter {
   // ---- statements.cpp, statement_plans.cpp: statements that were met before
   void run_ahead(std::vector<scene::ObjectId>* children);
   bool run_ahead_once(std::vector<scene::ObjectId>* children);
-  Statement& statement_at(const ast::Tree& tree, std::uint32_t pos);
+  Statement& statement_at(const ast::Tree& tree, std::uint32_t pos) {
+    const auto& known = statements_of_[tree.file];
+    return known.empty() || known[pos] == nullptr ? new_statement(tree, pos) : *known[pos];
+  }
+  Statement& new_statement(const ast::Tree& tree, std::uint32_t pos);
+  std::unique_ptr<SwitchPlan> plan_switch(const ast::Tree& tree, const ast::Directive& d);
+  bool run_switch(const ast::Tree& tree, const SwitchPlan& plan);
   void prepare(Statement& s, const ast::Tree& tree, std::uint32_t pos);
   std::unique_ptr<CallPlan> plan_call(const ast::Tree& tree, ast::ExprId id);
   std::unique_ptr<ObjectPlan> plan_object(const ast::Tree& tree, std::uint32_t pos);
@@ -508,7 +514,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
 
   scene::Object read_csg(scene::NodeKind kind, const Token& word);
   scene::ObjectId read_object_modifiers(scene::Object object, const Token& word, Span opened);
-  scene::ObjectId complete_object(scene::Object object);
+  void settle_texture(scene::Object& object);
   bool object_modifier(scene::Object& object, const Token& token);
   void transform_object(scene::Object& object, const Transform& t);
   void read_clips(scene::Object& object, bool clip);
@@ -637,6 +643,10 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   scene::OriginId call_origin();
   [[nodiscard]] std::string_view name_of(SymbolId id) const { return symbols_.text(id); }
   [[nodiscard]] int version() const { return declared_version_; }
+  /// Before version 1.5 operands end where a factor ends: the shorter ways know nothing of that.
+  [[nodiscard]] bool takes_shortcuts() const {
+    return options_.shortcuts && declared_version_ >= 150;
+  }
 
   SourceMap& sources_;
   FileId main_file_ = 0;

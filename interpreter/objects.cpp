@@ -260,16 +260,16 @@ scene::ObjectId Interpreter::read_object_modifiers(scene::Object object, const T
     d.labels.push_back({word.span.to(opened), "in this block"});
     fail(std::move(d));
   }
-  return complete_object(std::move(object));
+  settle_texture(object);
+  return add_object(std::move(object));
 }
 
-/// At the end of its statement.
-scene::ObjectId Interpreter::complete_object(scene::Object object) {
+/// At the end of the statement that made the object.
+void Interpreter::settle_texture(scene::Object& object) {
   if (own_texture_ != scene::none && object.texture.texture == own_texture_) {
     share_texture(object.texture);
   }
   own_texture_ = scene::none;
-  return add_object(std::move(object));
 }
 
 void Interpreter::transform_object(scene::Object& o, const Transform& t) {

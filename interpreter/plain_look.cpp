@@ -46,11 +46,13 @@ bool Interpreter::quick_pigment(scene::TextureUse& use) {
   if (!takes_paint(use.texture)) return false;
   const std::optional<Colour> colour = quick_colour_block();
   if (!colour) return false;
-  paint(use, *colour, frames_.back().tree->items[frames_.back().pos - 1].span);
+  const ast::Tree& tree = *frames_.back().tree;
+  const ast::Group& block = tree.groups[tree.items[frames_.back().pos - 1].ref];
+  paint(use, *colour, tree.items[block.items.first].span);
   return true;
 }
 
-/// Gives the texture in use, which takes paint, another colour; `written` is where it stands.
+/// Gives the texture in use, which takes paint, another colour; `written` is where it begins.
 void Interpreter::paint(scene::TextureUse& use, const Colour& colour, Span written) {
   const scene::Texture& base = scene_.textures[use.texture];
   const PlainLook look{colour, base.layers[0].finish.identity()};
@@ -58,12 +60,12 @@ void Interpreter::paint(scene::TextureUse& use, const Colour& colour, Span writt
     use = {known->second, {}};
     return;
   }
-  scene::Texture t = base;
-  scene::Pigment& pigment = t.layers[0].pigment.edit();
+  const scene::TextureId made = add_texture(scene::Texture(base));
+  scene::Pigment& pigment = scene_.textures[made].layers[0].pigment.edit();
   pigment.colour = colour;
   pigment.origin = origin(written);
-  use = {add_texture(std::move(t)), {}};
-  own_texture_ = use.texture;  // a finish may follow; share_texture comes last
+  use = {made, {}};
+  own_texture_ = made;  // a finish may follow; share_texture comes last
 }
 
 }  // namespace durer::interpreter

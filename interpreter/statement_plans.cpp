@@ -21,15 +21,12 @@ bool is_computed(const ast::Expr& e) {
 
 }  // namespace
 
-Statement& Interpreter::statement_at(const ast::Tree& tree, std::uint32_t pos) {
+Statement& Interpreter::new_statement(const ast::Tree& tree, std::uint32_t pos) {
   std::vector<std::unique_ptr<Statement>>& known = statements_of_[tree.file];
   if (known.empty()) known.resize(tree.items.size());
-  std::unique_ptr<Statement>& s = known[pos];
-  if (s == nullptr) {
-    s = std::make_unique<Statement>();
-    prepare(*s, tree, pos);
-  }
-  return *s;
+  known[pos] = std::make_unique<Statement>();
+  prepare(*known[pos], tree, pos);
+  return *known[pos];
 }
 
 void Interpreter::prepare(Statement& s, const ast::Tree& tree, std::uint32_t pos) {
@@ -37,6 +34,8 @@ void Interpreter::prepare(Statement& s, const ast::Tree& tree, std::uint32_t pos
   s.kind = Statement::Kind::general;
   if (item.kind == ast::ItemKind::directive) {
     s.kind = Statement::Kind::directive;
+    s.choice = plan_switch(tree, tree.directives[item.ref]);
+    if (s.choice != nullptr) s.kind = Statement::Kind::choice;
     const auto* declare = std::get_if<ast::Declare>(&tree.directives[item.ref].node);
     if (declare == nullptr || !assigns_variable(*declare)) return;
     if (symbols_.reserved(declare->name)) return;
@@ -50,6 +49,24 @@ void Interpreter::prepare(Statement& s, const ast::Tree& tree, std::uint32_t pos
     s.object = plan_object(tree, pos);
     if (s.object != nullptr) s.kind = Statement::Kind::object;
   }
+}
+
+/// A plan for a `#switch` whose cases are literal numbers.
+std::unique_ptr<SwitchPlan> Interpreter::plan_switch(const ast::Tree& tree,
+                                                     const ast::Directive& d) {
+  const auto* node = std::get_if<ast::Switch>(&d.node);
+  if (node == nullptr) return nullptr;
+  auto plan = std::make_unique<SwitchPlan>();
+  plan->directive = static_cast<std::uint32_t>(&d - tree.directives.data());
+  plan->value = formula_of(tree, node->value);
+  if (plan->value == nullptr) return nullptr;
+  for (std::uint32_t i = 0; i < node->cases.count; ++i) {
+    const ast::Case& c = tree.cases[node->cases.first + i];
+    const double* value = c.kind == ast::Case::Kind::case_ ? literal(tree, c.low) : nullptr;
+    if (value == nullptr && c.kind != ast::Case::Kind::else_) return nullptr;
+    plan->cases.push_back(value == nullptr ? std::nullopt : std::optional(*value));
+  }
+  return plan;
 }
 
 std::unique_ptr<CallPlan> Interpreter::plan_call(const ast::Tree& tree, ast::ExprId id) {
@@ -166,8 +183,8 @@ bool Interpreter::plan_step(ObjectPlan& plan, const Frame& block, std::uint32_t&
       break;
     case w::pigment:
       if (operand.kind != ast::ItemKind::braces || have(w::pigment) || have(w::finish)) return false;
-      step.span = operand.span;
       if (!plan_colour(step, tree, tree.groups[operand.ref].items)) return false;
+      step.span = tree.items[tree.groups[operand.ref].items.first].span;
       break;
     case w::finish:
       if (operand.kind != ast::ItemKind::braces || have(w::finish)) return false;

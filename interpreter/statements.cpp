@@ -10,8 +10,7 @@ namespace w = grammar::words;
 /// Runs what comes next as far as it is prepared; what is left is to be pulled. Only for who wants
 /// objects and nothing else: they go into `children`, or become roots if there are none.
 void Interpreter::run_ahead(std::vector<scene::ObjectId>* children) {
-  if (version() < 150) return;
-  while (unread_.size() == unread_base_ && run_ahead_once(children)) {
+  while (unread_.size() == unread_base_ && takes_shortcuts() && run_ahead_once(children)) {
   }
 }
 
@@ -49,6 +48,11 @@ bool Interpreter::run_ahead_once(std::vector<scene::ObjectId>* children) {
       ++f.pos;
       execute(tree, item);
       return true;
+    case Statement::Kind::choice:
+      if (run_switch(tree, *s.choice)) return true;
+      ++f.pos;
+      execute(tree, item);
+      return true;
     case Statement::Kind::call: return run_call(tree, *s.call);
     case Statement::Kind::object:
       if (run_object(item.span, *s.object, children)) return true;
@@ -59,24 +63,36 @@ bool Interpreter::run_ahead_once(std::vector<scene::ObjectId>* children) {
   return false;
 }
 
+namespace {
+
+/// What type, if any, is wrong with operands, or doubtful.
+bool is_unusual(const scene::TypeInfo& info, std::span<const double> operands) {
+  return (info.validate != nullptr && info.validate(operands)) ||
+         (info.doubt != nullptr && info.doubt(operands));
+}
+
+}  // namespace
+
 /// Makes the object that was planned, whose word and block come next; false, with nothing done, if
 /// anything about it is unusual now.
 bool Interpreter::run_object(const Span& word, const ObjectPlan& plan,
                              std::vector<scene::ObjectId>* children) {
   Peek peek(*this);
   std::array<double, ObjectPlan::most_operands> args;  // NOLINT: filled from the fallback
-  std::ranges::copy(*plan.fallback, args.begin());
+  std::array<Operand, ObjectPlan::most_values> values;  // NOLINT: filled as they are worked out
+  std::copy(plan.fallback->begin(), plan.fallback->end(), args.begin());
   for (const ObjectPlan::Operand& operand : plan.operands) {
     const Operand* result = run_formula(*operand.formula, operand.scalar ? 1 : 3);
     if (result == nullptr || result->is_text()) return false;
     if (result->length > (operand.scalar ? 1 : 3)) return false;
-    std::copy_n(result->v.begin(), operand.scalar ? 1 : 3, args.begin() + operand.offset);
+    double* const out = &args[operand.offset];
+    out[0] = result->v[0];
+    if (operand.scalar) continue;
+    out[1] = result->v[1];
+    out[2] = result->v[2];
   }
   const std::span operands(args.data(), plan.fallback->size());
-  if (plan.info->validate != nullptr && plan.info->validate(operands)) return false;
-  if (plan.info->doubt != nullptr && plan.info->doubt(operands)) return false;
-
-  std::array<Num, ObjectPlan::most_values> values;
+  if (is_unusual(*plan.info, operands)) return false;
   std::size_t count = 0;
   const Boxed<scene::Finish>* finish = nullptr;
   for (const ObjectPlan::Step& step : plan.steps) {
@@ -93,24 +109,31 @@ bool Interpreter::run_object(const Span& word, const ObjectPlan& plan,
     if (result == nullptr || result->is_text()) return false;
     if (!colour && result->length > 3) return false;
     if (step.strict && result->length != 5) return false;
-    values[count++] = result->number();
+    values[count++] = *result;
   }
   peek.keep();
 
   ++frames_.back().pos;
   ++frames_.back().pos;
-  scene::Object o;
+  // Nothing fails from here on, so the object is made where it stays.
+  const auto id = static_cast<scene::ObjectId>(scene_.objects.size());
+  object_depths_.push_back(1);
+  scene::Object& o = scene_.objects.emplace_back();
   o.kind = scene::NodeKind::primitive;
   o.type = plan.type;
   o.origin = origin(word);
   o.args.assign(operands.begin(), operands.end());
-  count = 0;
+  const Operand* value = values.data();
   for (const ObjectPlan::Step& step : plan.steps) {
     if (step.word == w::finish) {
       if (o.texture.texture == scene::none) o.texture = {default_texture_, {}};
-      change_texture(o.texture, [&](scene::Texture& t) { t.layers[0].finish = *finish; });
+      if (o.texture.texture == own_texture_ && o.texture.transform.is_identity()) {
+        scene_.textures[own_texture_].layers[0].finish = *finish;
+      } else {
+        change_texture(o.texture, [&](scene::Texture& t) { t.layers[0].finish = *finish; });
+      }
     } else if (step.word == w::pigment) {
-      Num n = values[count++];
+      Num n = (value++)->number();
       if (n.length == 1) n = Num::filled(n.v[0], step.form.wanted > 0 ? step.form.wanted : 5);
       if (step.keyword != nullptr) {
         check_components(n, step.form.wanted, step.keyword->ref, step.keyword->span);
@@ -118,10 +141,11 @@ bool Interpreter::run_object(const Span& word, const ObjectPlan& plan,
       o.texture = {default_texture_, {}};
       paint(o.texture, to_colour(n, step.form).colour(), step.span);
     } else {
-      transform_object(o, transformation(step.word, values[count++].vec(), step.span));
+      const std::array<double, 5>& v = (value++)->v;
+      transform_object(o, transformation(step.word, {v[0], v[1], v[2]}, step.span));
     }
   }
-  const scene::ObjectId id = complete_object(std::move(o));
+  settle_texture(o);
   if (children != nullptr) {
     children->push_back(id);
   } else {

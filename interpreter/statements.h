@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/vec.h"
@@ -41,7 +42,7 @@ struct ObjectPlan {
   };
   struct Step {
     SymbolId word = 0;           // translate rotate scale pigment finish
-    Span span;                   // of the word; pigment: of its block
+    Span span;                   // of the word; pigment: of the first one in it
     Formula* formula = nullptr;  // none: finish
     bool strict = false;         // pigment: the formula must be a colour
     ColourForm form;             // pigment
@@ -59,12 +60,27 @@ struct ObjectPlan {
   std::vector<Step> steps;
 };
 
+/// A #switch over literal numbers.
+struct SwitchPlan {
+  std::uint32_t directive = 0;
+  Formula* value = nullptr;
+  std::vector<std::optional<double>> cases;  // none: #else
+};
+
+/// The number that the expression is, in parentheses or not; null if it has to be worked out.
+[[nodiscard]] inline const double* literal(const ast::Tree& tree, ast::ExprId id) {
+  while (const auto* p = std::get_if<ast::Paren>(&tree.exprs[id].node)) id = p->inner;
+  const auto* n = std::get_if<ast::Number>(&tree.exprs[id].node);
+  return n == nullptr ? nullptr : &n->value;
+}
+
 struct Statement {
   enum class Kind : std::uint8_t {
     unknown,    // not met yet
     general,    // to be pulled from the stream
     directive,  // executed as the stream does
     assign,     // #declare or #local of a variable
+    choice,
     call,
     object,
   };
@@ -73,6 +89,7 @@ struct Statement {
   std::uint8_t failures = 0;
   Formula* formula = nullptr;            // assign
   const ast::Declare* declare = nullptr;  // assign
+  std::unique_ptr<SwitchPlan> choice;
   std::unique_ptr<CallPlan> call;
   std::unique_ptr<ObjectPlan> object;
 };
