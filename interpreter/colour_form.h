@@ -9,6 +9,9 @@ struct ColourForm {
   int wanted = 0;  // components; 0: no such word
   bool moves_transmit = false;
   bool is_srgb = false;
+
+  /// How many components the place of the operand has.
+  [[nodiscard]] int components() const { return wanted > 0 ? wanted : 5; }
 };
 
 /// The form that the word announces; `wanted` is 0 for all other words.

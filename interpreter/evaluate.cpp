@@ -290,13 +290,8 @@ const Operand* Interpreter::quick(const ast::Tree& tree, ast::ExprId id, int wan
   return formula == nullptr ? nullptr : run_formula(*formula, want);
 }
 
-const Operand* Interpreter::run_formula(Formula& formula, int want) {
-  if (formula.calls_functions) workspace_.context.noise_generator = noise_generator();
-  if (const Operand* result = machine_.run(formula, want)) [[likely]] {
-    turns_ += formula.calls;
-    if (peek_ != nullptr) machine_.tell_draws(*peek_);
-    return result;
-  }
+/// A formula has given up: after a few times it is not tried any more.
+const Operand* Interpreter::note_failure(Formula& formula) {
   constexpr std::uint8_t enough = 8;
   if (++formula.failures == enough) formula.ops.clear();
   return nullptr;

@@ -97,6 +97,7 @@ struct Formula {
   /// The same for the kinds of operands that it meets; made anew a few times if they change.
   std::shared_ptr<const StraightCode> straight;
   std::uint8_t straightened = 0;  // how often it was made
+  int straight_wanted = 0;        // for a place that wants so many components
 };
 
 /// What is known when a formula is compiled.
@@ -141,16 +142,22 @@ class FormulaMachine {
 
   /// The result, valid until the next run, with nothing behind its length unless it shines through; null, with no effect, if the tree must be walked.
   /// `wanted`: how many components the place wants; 1 also means "any".
-  [[nodiscard]] const Operand* run(Formula& formula, int wanted);
+  [[nodiscard]] const Operand* run(Formula& formula, int wanted) {
+    drawn_ = 0;
+    const bool straight = formula.straight != nullptr && formula.straight_wanted == wanted;
+    return straight && run_straight(*formula.straight) ? stack_.data()
+                                                       : run_unsettled(formula, wanted, straight);
+  }
   /// Takes the text of the last result, if it was a string.
   void take_text(Text& out);
   /// What the last run drew, in order.
   void tell_draws(std::vector<Draw>& out) const {
+    if (drawn_ == 0) return;
     out.insert(out.end(), draws_.begin(), draws_.begin() + static_cast<std::ptrdiff_t>(drawn_));
   }
 
  private:
-  const StraightCode* straight_code(Formula& formula, int wanted);
+  const Operand* run_unsettled(Formula& formula, int wanted, bool failed);
   bool run_straight(const StraightCode& code);
   bool load_element(const StraightOp& op, double* first) const;
   bool draw_number(double& stream);

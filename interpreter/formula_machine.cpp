@@ -81,14 +81,21 @@ bool apply_geometry(SymbolId function, Operand* a, int wanted) {
 
 }  // namespace
 
-const Operand* FormulaMachine::run(Formula& formula, int wanted) {
-  drawn_ = 0;
-  const StraightCode* code = formula.straight.get();
-  if (code == nullptr) code = straight_code(formula, wanted);
-  if (code != nullptr && code->wanted == wanted) {
-    if (run_straight(*code)) return stack_.data();
+/// The general way, and straight code if it is worth while to make some. `failed`: what there was
+/// did not do.
+const Operand* FormulaMachine::run_unsettled(Formula& formula, int wanted, bool failed) {
+  constexpr std::uint8_t enough = 4;
+  if (failed) {
     take_draws_back();
     formula.straight = nullptr;  // something is of another kind now
+  }
+  if (formula.ops.empty()) return nullptr;  // it has given up too often
+  if (formula.straight == nullptr && formula.straightened < enough) {
+    formula.straight = straighten(formula, env_, wanted);
+    formula.straight_wanted = wanted;
+    formula.straightened = formula.straight == nullptr
+                               ? enough
+                               : static_cast<std::uint8_t>(formula.straightened + 1);
   }
   if (execute(formula, wanted)) {
     if (!formula.shines_through && !stack_[0].is_text()) clear_beyond_length();
@@ -96,16 +103,6 @@ const Operand* FormulaMachine::run(Formula& formula, int wanted) {
   }
   take_draws_back();
   return nullptr;
-}
-
-/// Code for what the variables hold now, if it is worth while to make it; null if there is none.
-const StraightCode* FormulaMachine::straight_code(Formula& formula, int wanted) {
-  constexpr std::uint8_t enough = 4;
-  if (formula.straightened == enough) return nullptr;
-  ++formula.straightened;
-  formula.straight = straighten(formula, env_, wanted);
-  if (formula.straight == nullptr) formula.straightened = enough;
-  return formula.straight.get();
 }
 
 void FormulaMachine::take_draws_back() {

@@ -28,26 +28,51 @@ inline void copy_all(const double* from, double* to) { std::memcpy(to, from, 5 *
 
 inline dvec3 vector_at(const double* v, int n) { return {v[0], v[1], n > 2 ? v[2] : 0}; }
 
-/// An operator on numbers of n and m components, which lie behind each other; the result replaces
-/// them. A float goes with every component of the other.
-bool apply_lanes(FormulaOp::Kind with, double* left, int n, int m) {
-  const double* right = left + n;
-  if (n > 1 && m > 1) {
-    for (int i = 0; i < n; ++i) {
-      if (!apply_floats(with, left[i], right[i], left[i])) return false;
-    }
-  } else if (m == 1) {
+template <typename Apply>
+bool each_lane(double* left, int n, int m, Apply apply) {
+  const double* const right = left + n;
+  if (m == 1) {
     const double b = *right;
     for (int i = 0; i < n; ++i) {
-      if (!apply_floats(with, left[i], b, left[i])) return false;
+      if (!apply(left[i], b, left[i])) return false;
     }
-  } else {
+  } else if (n == 1) {
     const double a = *left;
     for (int i = 0; i < m; ++i) {
-      if (!apply_floats(with, a, right[i], left[i])) return false;
+      if (!apply(a, right[i], left[i])) return false;
+    }
+  } else {
+    for (int i = 0; i < n; ++i) {
+      if (!apply(left[i], right[i], left[i])) return false;
     }
   }
   return true;
+}
+
+/// An operator on numbers of n and m components, which lie behind each other; the result replaces
+/// them. A float goes with every component of the other.
+bool apply_lanes(FormulaOp::Kind with, double* left, int n, int m) {
+  switch (with) {
+    case FormulaOp::Kind::add:
+      return each_lane(left, n, m, [](double a, double b, double& out) {
+        out = a + b;
+        return true;
+      });
+    case FormulaOp::Kind::sub:
+      return each_lane(left, n, m, [](double a, double b, double& out) {
+        out = a - b;
+        return true;
+      });
+    case FormulaOp::Kind::mul:
+      return each_lane(left, n, m, [](double a, double b, double& out) {
+        out = a * b;
+        return true;
+      });
+    default:
+      return each_lane(left, n, m, [with](double a, double b, double& out) {
+        return apply_floats(with, a, b, out);
+      });
+  }
 }
 
 }  // namespace
@@ -195,8 +220,8 @@ bool FormulaMachine::run_straight(const StraightCode& code) {
   }
   Operand& result = stack_[0];
   result.length = code.length;
+  std::memset(top, 0, 5 * sizeof(double));  // nothing lies behind the result
   copy_all(lanes_.data(), result.v.data());
-  for (auto i = static_cast<std::size_t>(code.length); i < 5; ++i) result.v[i] = 0;
   return true;
 }
 

@@ -58,7 +58,6 @@ struct StraightOp {
 
 struct StraightCode {
   std::vector<StraightOp> ops;
-  int wanted = 1;  // as given when it was made
   int length = 1;  // of the result
 };
 

@@ -21,7 +21,6 @@ class Straightener {
     for (const FormulaOp& op : formula.ops) {
       if (!step(op)) return nullptr;
     }
-    code_.wanted = given_;
     code_.length = lengths_.front();
     code_.ops.shrink_to_fit();
     return std::make_shared<const StraightCode>(std::move(code_));

@@ -221,7 +221,10 @@ class Interpreter {
   bool plan_step(ObjectPlan& plan, const Frame& block, std::uint32_t& pos);
   bool plan_colour(ObjectPlan::Step& step, const ast::Tree& tree, ast::Range items);
   bool run_call(const ast::Tree& tree, const CallPlan& plan);
-  bool run_object(const Span& word, const ObjectPlan& plan, std::vector<scene::ObjectId>* children);
+  bool run_object(Span word, const ObjectPlan& plan, std::vector<scene::ObjectId>* children);
+  bool work_out_operands(const ObjectPlan& plan, std::span<double> args);
+  const Operand* work_out_step(const ObjectPlan::Step& step);
+  void take_step(scene::Object& o, const ObjectPlan::Step& step, const Operand& value);
 
   // ---- places.cpp, additions.cpp: dictionaries and what else is new in 3.8
   enum class Access : std::uint8_t { read, probe, write };
@@ -316,7 +319,15 @@ class Interpreter {
   int work_out(const ast::Tree& tree, ast::ExprId id, int want, double* v);
   /// The compiled way to a value (formula.h), valid until the next; null if there is none here.
   const Operand* quick(const ast::Tree& tree, ast::ExprId id, int want);
-  const Operand* run_formula(Formula& formula, int want);
+  const Operand* run_formula(Formula& formula, int want) {
+    if (formula.calls_functions) workspace_.context.noise_generator = noise_generator();
+    const Operand* result = machine_.run(formula, want);
+    if (result == nullptr) return note_failure(formula);
+    turns_ += formula.calls;
+    if (peek_ != nullptr) machine_.tell_draws(*peek_);
+    return result;
+  }
+  static const Operand* note_failure(Formula& formula);
   Formula* formula_of(const ast::Tree& tree, ast::ExprId id);
   Formula& new_formula(const ast::Tree& tree, ast::ExprId id);
   int work_out_full(const ast::Tree& tree, ast::ExprId id, int want, double* v);
@@ -561,6 +572,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   [[nodiscard]] static bool is_plain(const scene::Texture& texture);
   bool quick_pigment(scene::TextureUse& use);
   [[nodiscard]] bool takes_paint(scene::TextureId texture);
+  void give_finish(scene::TextureUse& use, const Boxed<scene::Finish>& finish);
   void paint(scene::TextureUse& use, const Colour& colour, Span written);
   scene::Pigment read_pigment(scene::Pigment start);
   void read_pigment_body(scene::Pigment& pigment, Token::Kind last);

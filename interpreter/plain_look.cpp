@@ -68,4 +68,14 @@ void Interpreter::paint(scene::TextureUse& use, const Colour& colour, Span writt
   own_texture_ = made;  // a finish may follow; share_texture comes last
 }
 
+/// Gives the texture in use, the default if there is none, another finish.
+void Interpreter::give_finish(scene::TextureUse& use, const Boxed<scene::Finish>& finish) {
+  if (use.texture == scene::none) use = {default_texture_, {}};
+  if (use.texture == own_texture_ && use.transform.is_identity()) {
+    scene_.textures[own_texture_].layers[0].finish = finish;
+  } else {
+    change_texture(use, [&](scene::Texture& t) { t.layers[0].finish = finish; });
+  }
+}
+
 }  // namespace durer::interpreter

@@ -73,49 +73,73 @@ bool is_unusual(const scene::TypeInfo& info, std::span<const double> operands) {
 
 }  // namespace
 
-/// Makes the object that was planned, whose word and block come next; false, with nothing done, if
-/// anything about it is unusual now.
-bool Interpreter::run_object(const Span& word, const ObjectPlan& plan,
-                             std::vector<scene::ObjectId>* children) {
-  Peek peek(*this);
-  std::array<double, ObjectPlan::most_operands> args;  // NOLINT: filled from the fallback
-  std::array<Operand, ObjectPlan::most_values> values;  // NOLINT: filled as they are worked out
+bool Interpreter::work_out_operands(const ObjectPlan& plan, std::span<double> args) {
   std::copy(plan.fallback->begin(), plan.fallback->end(), args.begin());
   for (const ObjectPlan::Operand& operand : plan.operands) {
-    const Operand* result = run_formula(*operand.formula, operand.scalar ? 1 : 3);
-    if (result == nullptr || result->is_text()) return false;
-    if (result->length > (operand.scalar ? 1 : 3)) return false;
+    const int most = operand.scalar ? 1 : 3;
+    const Operand* result = run_formula(*operand.formula, most);
+    if (result == nullptr || result->is_text() || result->length > most) return false;
     double* const out = &args[operand.offset];
     out[0] = result->v[0];
     if (operand.scalar) continue;
     out[1] = result->v[1];
     out[2] = result->v[2];
   }
+  return !is_unusual(*plan.info, args);
+}
+
+/// What the formula of the step comes to, valid until the next; null if anything is unusual.
+const Operand* Interpreter::work_out_step(const ObjectPlan::Step& step) {
+  const bool colour = step.word == w::pigment;
+  if (colour && !takes_paint(default_texture_)) return nullptr;
+  const int wanted = !colour ? 3 : step.strict ? 1 : step.form.components();
+  const Operand* result = run_formula(*step.formula, wanted);
+  if (result == nullptr || result->is_text()) return nullptr;
+  if (!colour && result->length > 3) return nullptr;
+  return step.strict && result->length != 5 ? nullptr : result;
+}
+
+/// Nothing fails here.
+void Interpreter::take_step(scene::Object& o, const ObjectPlan::Step& step, const Operand& value) {
+  if (step.word != w::pigment) {
+    const dvec3 by(value.v[0], value.v[1], value.v[2]);
+    return transform_object(o, transformation(step.word, by, step.span));
+  }
+  Num n = value.number();
+  if (n.length == 1) n = Num::filled(n.v[0], step.form.components());
+  if (step.keyword != nullptr) {
+    check_components(n, step.form.wanted, step.keyword->ref, step.keyword->span);
+  }
+  o.texture = {default_texture_, {}};
+  paint(o.texture, to_colour(n, step.form).colour(), step.span);
+}
+
+/// Makes the object that was planned, whose word and block come next; false, with nothing done, if
+/// anything about it is unusual now.
+bool Interpreter::run_object(Span word, const ObjectPlan& plan,
+                             std::vector<scene::ObjectId>* children) {
+  Peek peek(*this);
+  std::array<double, ObjectPlan::most_operands> args;   // NOLINT: filled as far as used
+  std::array<Operand, ObjectPlan::most_values> values;  // NOLINT: likewise
   const std::span operands(args.data(), plan.fallback->size());
-  if (is_unusual(*plan.info, operands)) return false;
-  std::size_t count = 0;
+  if (!work_out_operands(plan, operands)) return false;
   const Boxed<scene::Finish>* finish = nullptr;
+  std::size_t count = 0;
   for (const ObjectPlan::Step& step : plan.steps) {
     if (step.word == w::finish) {
       if (!takes_paint(default_texture_)) return false;
       finish = known_finish(*step.block, scene_.textures[default_texture_].layers[0].finish);
       if (finish == nullptr) return false;
-      continue;
+    } else {
+      const Operand* value = work_out_step(step);
+      if (value == nullptr) return false;
+      values[count++] = *value;
     }
-    const bool colour = step.word == w::pigment;
-    if (colour && !takes_paint(default_texture_)) return false;
-    const int wanted = !colour ? 3 : step.strict ? 1 : step.form.wanted > 0 ? step.form.wanted : 5;
-    const Operand* result = run_formula(*step.formula, wanted);
-    if (result == nullptr || result->is_text()) return false;
-    if (!colour && result->length > 3) return false;
-    if (step.strict && result->length != 5) return false;
-    values[count++] = *result;
   }
   peek.keep();
 
-  ++frames_.back().pos;
-  ++frames_.back().pos;
   // Nothing fails from here on, so the object is made where it stays.
+  frames_.back().pos += 2;
   const auto id = static_cast<scene::ObjectId>(scene_.objects.size());
   object_depths_.push_back(1);
   scene::Object& o = scene_.objects.emplace_back();
@@ -126,23 +150,9 @@ bool Interpreter::run_object(const Span& word, const ObjectPlan& plan,
   const Operand* value = values.data();
   for (const ObjectPlan::Step& step : plan.steps) {
     if (step.word == w::finish) {
-      if (o.texture.texture == scene::none) o.texture = {default_texture_, {}};
-      if (o.texture.texture == own_texture_ && o.texture.transform.is_identity()) {
-        scene_.textures[own_texture_].layers[0].finish = *finish;
-      } else {
-        change_texture(o.texture, [&](scene::Texture& t) { t.layers[0].finish = *finish; });
-      }
-    } else if (step.word == w::pigment) {
-      Num n = (value++)->number();
-      if (n.length == 1) n = Num::filled(n.v[0], step.form.wanted > 0 ? step.form.wanted : 5);
-      if (step.keyword != nullptr) {
-        check_components(n, step.form.wanted, step.keyword->ref, step.keyword->span);
-      }
-      o.texture = {default_texture_, {}};
-      paint(o.texture, to_colour(n, step.form).colour(), step.span);
+      give_finish(o.texture, *finish);
     } else {
-      const std::array<double, 5>& v = (value++)->v;
-      transform_object(o, transformation(step.word, {v[0], v[1], v[2]}, step.span));
+      take_step(o, step, *value++);
     }
   }
   settle_texture(o);
