@@ -32,6 +32,14 @@ namespace durer::interpreter {
 class Font;
 class MeshBuilder;
 
+/// Before one more comes into a list that may grow long. Moving what it holds costs more than room
+/// that is never touched.
+template <typename T>
+void make_room(std::vector<T>& list) {
+  constexpr std::size_t least = 64;
+  if (list.size() == list.capacity()) list.reserve(4 * list.size() + least);
+}
+
 /// "1 argument", "3 arguments"; for messages.
 [[nodiscard]] std::string argument_count(std::size_t n);
 
@@ -223,8 +231,10 @@ class Interpreter {
   bool run_call(const ast::Tree& tree, const CallPlan& plan);
   bool run_object(Span word, const ObjectPlan& plan, std::vector<scene::ObjectId>* children);
   bool work_out_operands(const ObjectPlan& plan, std::span<double> args);
-  const Operand* work_out_step(const ObjectPlan::Step& step);
-  void take_step(scene::Object& o, const ObjectPlan::Step& step, const Operand& value);
+  struct PlannedLook;
+  bool work_out_steps(const ObjectPlan& plan, std::span<Operand> values, PlannedLook& look);
+  void take_colour(scene::Object& o, const ObjectPlan::Step& step, const Operand& value,
+                   PlannedLook& look);
 
   // ---- places.cpp, additions.cpp: dictionaries and what else is new in 3.8
   enum class Access : std::uint8_t { read, probe, write };
@@ -573,6 +583,9 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   bool quick_pigment(scene::TextureUse& use);
   [[nodiscard]] bool takes_paint(scene::TextureId texture);
   void give_finish(scene::TextureUse& use, const Boxed<scene::Finish>& finish);
+  scene::TextureId painted(scene::TextureId base, const Colour& colour, Span written);
+  bool dress(scene::TextureUse& use, const Colour& colour, const Boxed<scene::Finish>& finish,
+             Span written);
   void paint(scene::TextureUse& use, const Colour& colour, Span written);
   scene::Pigment read_pigment(scene::Pigment start);
   void read_pigment_body(scene::Pigment& pigment, Token::Kind last);
@@ -714,7 +727,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   scene::TextureId default_texture_ = scene::none;
   bool reading_default_ = false;  // a normal may have settings and no pattern yet
   /// Textures of one plain colour: objects that look alike share one.
-  std::unordered_map<PlainLook, scene::TextureId, PlainLook::Hash> plain_textures_;
+  KnownLooks plain_textures_;
   std::unordered_map<const ast::Group*, bool> constant_;  // blocks, as far as known
   struct FinishKey {
     const ast::Group* block;

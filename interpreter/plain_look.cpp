@@ -26,9 +26,10 @@ void Interpreter::share_texture(scene::TextureUse& use) {
   if (use.texture + 1U != scene_.textures.size()) return;
   const scene::Texture& own = scene_.textures[use.texture];
   if (!is_plain(own)) return;
-  const auto [known, is_new] = plain_textures_.try_emplace(look_of(own), use.texture);
-  if (is_new) return;
-  use = {known->second, {}};
+  const PlainLook look = look_of(own);
+  const scene::TextureId known = plain_textures_.find(look);
+  if (known == scene::none) return plain_textures_.add(look, use.texture);
+  use = {known, {}};
   scene_.textures.pop_back();
 }
 
@@ -54,18 +55,36 @@ bool Interpreter::quick_pigment(scene::TextureUse& use) {
 
 /// Gives the texture in use, which takes paint, another colour; `written` is where it begins.
 void Interpreter::paint(scene::TextureUse& use, const Colour& colour, Span written) {
-  const scene::Texture& base = scene_.textures[use.texture];
-  const PlainLook look{colour, base.layers[0].finish.identity()};
-  if (const auto known = plain_textures_.find(look); known != plain_textures_.end()) {
-    use = {known->second, {}};
+  const Boxed<scene::Finish>& finish = scene_.textures[use.texture].layers[0].finish;
+  const scene::TextureId known = plain_textures_.find({colour, finish.identity()});
+  if (known != scene::none) {
+    use = {known, {}};
     return;
   }
-  const scene::TextureId made = add_texture(scene::Texture(base));
+  use = {painted(use.texture, colour, written), {}};
+  own_texture_ = use.texture;  // a finish may follow; share_texture comes last
+}
+
+/// A new texture: `base`, which takes paint, with another colour.
+scene::TextureId Interpreter::painted(scene::TextureId base, const Colour& colour, Span written) {
+  const scene::TextureId made = add_texture(scene::Texture(scene_.textures[base]));
   scene::Pigment& pigment = scene_.textures[made].layers[0].pigment.edit();
   pigment.colour = colour;
   pigment.origin = origin(written);
-  use = {made, {}};
-  own_texture_ = made;  // a finish may follow; share_texture comes last
+  return made;
+}
+
+/// Colour and finish at once, on the default texture, which takes paint, with nothing to follow. True if
+/// the texture is that of another object.
+bool Interpreter::dress(scene::TextureUse& use, const Colour& colour,
+                        const Boxed<scene::Finish>& finish, Span written) {
+  const PlainLook look{colour, finish.identity()};
+  const scene::TextureId known = plain_textures_.find(look);
+  use = {known != scene::none ? known : painted(default_texture_, colour, written), {}};
+  if (known != scene::none) return true;
+  scene_.textures[use.texture].layers[0].finish = finish;
+  plain_textures_.add(look, use.texture);
+  return false;
 }
 
 /// Gives the texture in use, the default if there is none, another finish.

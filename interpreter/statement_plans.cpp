@@ -159,7 +159,8 @@ bool Interpreter::plan_operands(ObjectPlan& plan, const Frame& block, std::uint3
   });
 }
 
-/// One transformation, colour or constant finish. A finish comes after the colour, if there is one.
+/// One transformation, colour or constant finish. If there are a colour and a finish, the finish comes
+/// right behind the colour.
 bool Interpreter::plan_step(ObjectPlan& plan, const Frame& block, std::uint32_t& pos) {
   const ast::Tree& tree = *block.tree;
   const ast::Item& item = tree.items[pos];
@@ -186,11 +187,17 @@ bool Interpreter::plan_step(ObjectPlan& plan, const Frame& block, std::uint32_t&
       if (!plan_colour(step, tree, tree.groups[operand.ref].items)) return false;
       step.span = tree.items[tree.groups[operand.ref].items.first].span;
       break;
-    case w::finish:
+    case w::finish: {
       if (operand.kind != ast::ItemKind::braces || have(w::finish)) return false;
-      step.block = &tree.groups[operand.ref];
-      if (!is_constant_block(tree, *step.block)) return false;
-      break;
+      step.finish = &tree.groups[operand.ref];
+      if (!is_constant_block(tree, *step.finish)) return false;
+      if (!have(w::pigment)) break;
+      ObjectPlan::Step& last = plan.steps.back();
+      if (last.word != w::pigment || last.finish != nullptr) return false;
+      last.finish = step.finish;
+      pos += 2;
+      return true;
+    }
     default: return false;
   }
   plan.steps.push_back(step);

@@ -88,30 +88,49 @@ bool Interpreter::work_out_operands(const ObjectPlan& plan, std::span<double> ar
   return !is_unusual(*plan.info, args);
 }
 
-/// What the formula of the step comes to, valid until the next; null if anything is unusual.
-const Operand* Interpreter::work_out_step(const ObjectPlan::Step& step) {
-  const bool colour = step.word == w::pigment;
-  if (colour && !takes_paint(default_texture_)) return nullptr;
-  const int wanted = !colour ? 3 : step.strict ? 1 : step.form.components();
-  const Operand* result = run_formula(*step.formula, wanted);
-  if (result == nullptr || result->is_text()) return nullptr;
-  if (!colour && result->length > 3) return nullptr;
-  return step.strict && result->length != 5 ? nullptr : result;
+/// What is known of an object's looks before it is made.
+struct Interpreter::PlannedLook {
+  const Boxed<scene::Finish>* finish = nullptr;  // that a finish makes of the default
+  bool shared = false;                           // it looks like an earlier object
+};
+
+/// What the formulas of the steps come to, in order; false if anything is unusual.
+bool Interpreter::work_out_steps(const ObjectPlan& plan, std::span<Operand> values,
+                                 PlannedLook& look) {
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    const ObjectPlan::Step& step = plan.steps[i];
+    const bool moves = step.word != w::pigment && step.word != w::finish;
+    if (!moves && !takes_paint(default_texture_)) return false;
+    if (step.finish != nullptr) {
+      const scene::Layer& layer = scene_.textures[default_texture_].layers[0];
+      look.finish = known_finish(*step.finish, layer.finish);
+      if (look.finish == nullptr) return false;
+    }
+    if (step.formula == nullptr) continue;
+    const int wanted = moves ? 3 : step.strict ? 1 : step.form.components();
+    const Operand* result = run_formula(*step.formula, wanted);
+    if (result == nullptr || result->is_text()) return false;
+    if (moves && result->length > 3) return false;
+    if (step.strict && result->length != 5) return false;
+    values[i] = *result;
+  }
+  return true;
 }
 
-/// Nothing fails here.
-void Interpreter::take_step(scene::Object& o, const ObjectPlan::Step& step, const Operand& value) {
-  if (step.word != w::pigment) {
-    const dvec3 by(value.v[0], value.v[1], value.v[2]);
-    return transform_object(o, transformation(step.word, by, step.span));
-  }
+void Interpreter::take_colour(scene::Object& o, const ObjectPlan::Step& step, const Operand& value,
+                              PlannedLook& look) {
   Num n = value.number();
   if (n.length == 1) n = Num::filled(n.v[0], step.form.components());
   if (step.keyword != nullptr) {
     check_components(n, step.form.wanted, step.keyword->ref, step.keyword->span);
   }
-  o.texture = {default_texture_, {}};
-  paint(o.texture, to_colour(n, step.form).colour(), step.span);
+  const Colour colour = to_colour(n, step.form).colour();
+  if (step.finish != nullptr) {
+    look.shared = dress(o.texture, colour, *look.finish, step.span);
+  } else {
+    o.texture = {default_texture_, {}};
+    paint(o.texture, colour, step.span);
+  }
 }
 
 /// Makes the object that was planned, whose word and block come next; false, with nothing done, if
@@ -122,20 +141,8 @@ bool Interpreter::run_object(Span word, const ObjectPlan& plan,
   std::array<double, ObjectPlan::most_operands> args;   // NOLINT: filled as far as used
   std::array<Operand, ObjectPlan::most_values> values;  // NOLINT: likewise
   const std::span operands(args.data(), plan.fallback->size());
-  if (!work_out_operands(plan, operands)) return false;
-  const Boxed<scene::Finish>* finish = nullptr;
-  std::size_t count = 0;
-  for (const ObjectPlan::Step& step : plan.steps) {
-    if (step.word == w::finish) {
-      if (!takes_paint(default_texture_)) return false;
-      finish = known_finish(*step.block, scene_.textures[default_texture_].layers[0].finish);
-      if (finish == nullptr) return false;
-    } else {
-      const Operand* value = work_out_step(step);
-      if (value == nullptr) return false;
-      values[count++] = *value;
-    }
-  }
+  PlannedLook look;
+  if (!work_out_operands(plan, operands) || !work_out_steps(plan, values, look)) return false;
   peek.keep();
 
   // Nothing fails from here on, so the object is made where it stays.
@@ -147,15 +154,19 @@ bool Interpreter::run_object(Span word, const ObjectPlan& plan,
   o.type = plan.type;
   o.origin = origin(word);
   o.args.assign(operands.begin(), operands.end());
-  const Operand* value = values.data();
-  for (const ObjectPlan::Step& step : plan.steps) {
-    if (step.word == w::finish) {
-      give_finish(o.texture, *finish);
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    const ObjectPlan::Step& step = plan.steps[i];
+    if (step.word == w::pigment) {
+      take_colour(o, step, values[i], look);
+    } else if (step.word == w::finish) {
+      give_finish(o.texture, *look.finish);
     } else {
-      take_step(o, step, *value++);
+      const std::array<double, 5>& v = values[i].v;
+      transform_object(o, transformation(step.word, {v[0], v[1], v[2]}, step.span));
     }
   }
   settle_texture(o);
+  if (look.shared) o.texture.transform = {};  // as settle_texture does
   if (children != nullptr) {
     children->push_back(id);
   } else {

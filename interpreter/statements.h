@@ -43,11 +43,11 @@ struct ObjectPlan {
   struct Step {
     SymbolId word = 0;           // translate rotate scale pigment finish
     Span span;                   // of the word; pigment: of the first one in it
-    Formula* formula = nullptr;  // none: finish
+    Formula* formula = nullptr;  // none: a finish alone
     bool strict = false;         // pigment: the formula must be a colour
     ColourForm form;             // pigment
     const ast::Item* keyword = nullptr;   // pigment: the word that has the form, for warnings
-    const ast::Group* block = nullptr;    // finish
+    const ast::Group* finish = nullptr;   // finish, or the one right behind a pigment
   };
   /// Limits of what is planned: formulas, numbers among the operands of the type.
   static constexpr std::size_t most_values = 12;

@@ -13,6 +13,7 @@ namespace w = grammar::words;
 // -------------------------------------------------------------------------------------
 
 scene::TextureId Interpreter::add_texture(scene::Texture texture) {
+  make_room(scene_.textures);
   scene_.textures.push_back(std::move(texture));
   return static_cast<scene::TextureId>(scene_.textures.size() - 1);
 }
