@@ -159,6 +159,7 @@ class FormulaMachine {
  private:
   const Operand* run_unsettled(Formula& formula, int wanted, bool failed);
   bool run_straight(const StraightCode& code);
+  bool run_operations(const StraightCode& code);
   bool load_element(const StraightOp& op, double* first) const;
   bool draw_number(double& stream);
   void take_draws_back();

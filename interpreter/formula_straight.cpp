@@ -77,7 +77,28 @@ bool apply_lanes(FormulaOp::Kind with, double* left, int n, int m) {
 
 }  // namespace
 
+/// Most formulas are one variable: that needs no machine.
 bool FormulaMachine::run_straight(const StraightCode& code) {
+  const StraightOp& first = code.ops.front();
+  const bool is_single = code.ops.size() == 1;
+  if (!is_single || first.kind > Kind::load_many) return run_operations(code);
+  Operand& result = stack_[0];
+  result.length = code.length;
+  if (first.kind == Kind::number) {
+    result.v = {first.value};
+    return true;
+  }
+  const Num* x = number_of(env_, first.name, first.n);
+  if (x == nullptr) return false;
+  if (first.kind == Kind::load) {
+    result.v = {x->v[0]};  // there may be something behind it (language §2.4)
+  } else {
+    copy_all(x->v.data(), result.v.data());
+  }
+  return true;
+}
+
+bool FormulaMachine::run_operations(const StraightCode& code) {
   double* top = lanes_.data();  // behind the last component
   for (const StraightOp& op : code.ops) {
     switch (op.kind) {

@@ -215,6 +215,7 @@ class Interpreter {
   // ---- statements.cpp, statement_plans.cpp: statements that were met before
   void run_ahead(std::vector<scene::ObjectId>* children);
   bool run_ahead_once(std::vector<scene::ObjectId>* children);
+  bool leave_ahead();
   Statement& statement_at(const ast::Tree& tree, std::uint32_t pos) {
     const auto& known = statements_of_[tree.file];
     return known.empty() || known[pos] == nullptr ? new_statement(tree, pos) : *known[pos];

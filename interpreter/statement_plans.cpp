@@ -36,6 +36,9 @@ void Interpreter::prepare(Statement& s, const ast::Tree& tree, std::uint32_t pos
     s.kind = Statement::Kind::directive;
     s.choice = plan_switch(tree, tree.directives[item.ref]);
     if (s.choice != nullptr) s.kind = Statement::Kind::choice;
+    if (std::holds_alternative<ast::Break>(tree.directives[item.ref].node)) {
+      s.kind = Statement::Kind::leave;
+    }
     const auto* declare = std::get_if<ast::Declare>(&tree.directives[item.ref].node);
     if (declare == nullptr || !assigns_variable(*declare)) return;
     if (symbols_.reserved(declare->name)) return;

@@ -10,22 +10,34 @@ namespace w = grammar::words;
 /// Runs what comes next as far as it is prepared; what is left is to be pulled. Only for who wants
 /// objects and nothing else: they go into `children`, or become roots if there are none.
 void Interpreter::run_ahead(std::vector<scene::ObjectId>* children) {
-  while (unread_.size() == unread_base_ && takes_shortcuts() && run_ahead_once(children)) {
+  while (unread_.size() == unread_base_ && takes_shortcuts()) {
+    const Frame& f = frames_.back();
+    if (!f.has_items() || f.flatten) return;
+    const bool went_on = f.pos < f.end ? run_ahead_once(children) : leave_ahead();
+    if (!went_on) return;
   }
 }
 
+/// At the end of a frame: leaves it, or begins it anew. False if that is for who reads it.
+bool Interpreter::leave_ahead() {
+  Frame& f = frames_.back();
+  switch (f.kind) {
+    case Frame::Kind::file:
+    case Frame::Kind::group:
+    case Frame::Kind::barrier: return false;
+    case Frame::Kind::macro:
+    case Frame::Kind::branch: pop(); return true;
+    default: {
+      Token none;
+      step_end(none);
+      return true;
+    }
+  }
+}
+
+/// The next item of the innermost frame.
 bool Interpreter::run_ahead_once(std::vector<scene::ObjectId>* children) {
   Frame& f = frames_.back();
-  if (!f.has_items() || f.flatten) return false;
-  if (f.pos >= f.end) {
-    if (f.kind == Frame::Kind::file || f.kind == Frame::Kind::group ||
-        f.kind == Frame::Kind::barrier) {
-      return false;
-    }
-    Token none;
-    step_end(none);
-    return true;
-  }
   const ast::Tree& tree = *f.tree;
   const ast::Item& item = tree.items[f.pos];
   if (repeats_ == 0) {  // not worth preparing
@@ -34,33 +46,32 @@ bool Interpreter::run_ahead_once(std::vector<scene::ObjectId>* children) {
     execute(tree, item);
     return true;
   }
+  constexpr std::uint8_t enough = 50;
   Statement& s = statement_at(tree, f.pos);
   switch (s.kind) {
     case Statement::Kind::unknown:
     case Statement::Kind::general: return false;
-    case Statement::Kind::assign:
-      if (quick_assign(*s.declare, *s.formula)) {
-        ++f.pos;
-        return true;
-      }
-      [[fallthrough]];
-    case Statement::Kind::directive:
+    case Statement::Kind::object:
+      if (run_object(item.span, *s.object, children)) return true;
+      if (++s.failures == enough) s.kind = Statement::Kind::general;
+      return false;
+    case Statement::Kind::call: return run_call(tree, *s.call);
+    case Statement::Kind::leave:
       ++f.pos;
-      execute(tree, item);
+      break_out(tree.directives[item.ref].span);
       return true;
     case Statement::Kind::choice:
       if (run_switch(tree, *s.choice)) return true;
+      break;
+    case Statement::Kind::assign:
+      if (!quick_assign(*s.declare, *s.formula)) break;
       ++f.pos;
-      execute(tree, item);
       return true;
-    case Statement::Kind::call: return run_call(tree, *s.call);
-    case Statement::Kind::object:
-      if (run_object(item.span, *s.object, children)) return true;
-      constexpr std::uint8_t enough = 50;
-      if (++s.failures == enough) s.kind = Statement::Kind::general;
-      return false;
+    case Statement::Kind::directive: break;
   }
-  return false;
+  ++f.pos;
+  execute(tree, item);
+  return true;
 }
 
 namespace {

@@ -80,7 +80,8 @@ struct Statement {
     general,    // to be pulled from the stream
     directive,  // executed as the stream does
     assign,     // #declare or #local of a variable
-    choice,
+    choice,     // #switch
+    leave,      // #break
     call,
     object,
   };
