@@ -19,12 +19,12 @@ namespace {
 
 constexpr std::size_t largest = std::size_t{1} << 16U;  // bytes of a block
 constexpr std::size_t fine = 512;                       // sizes up to here differ by 16 bytes
-constexpr std::size_t classes = fine / 16 + 1 + 4 * 7;  // above, by a quarter of a power of two
+constexpr std::size_t classes = fine / 16 + 1 + 8 * 7;  // above, by an eighth of a power of two
 
 constexpr unsigned region_bits = 25;  // a region: 32 MiB, aligned
 constexpr std::size_t region_size = std::size_t{1} << region_bits;
 constexpr std::size_t step = std::size_t{1} << 21U;   // committed at once: a large page
-constexpr std::size_t small_steps = 2;                // before large pages are asked for
+constexpr std::size_t small_steps = 4;                // before large pages are asked for
 constexpr unsigned page_bits = 18;                    // blocks of one page have one size
 constexpr std::size_t page_size = std::size_t{1} << page_bits;
 constexpr unsigned address_bits = 47;
@@ -33,17 +33,17 @@ constexpr unsigned address_bits = 47;
 constexpr std::size_t class_of(std::size_t size) {
   if (size <= fine) return (size + 15) / 16;
   const auto power = static_cast<unsigned>(std::bit_width(size - 1)) - 1;  // 2^power < size
-  const std::size_t quarter = (size - 1) >> (power - 2U);                  // 4 … 7
-  return fine / 16 + 1 + 4 * (power - 9) + (quarter - 4);
+  const std::size_t eighth = (size - 1) >> (power - 3U);                   // 8 … 15
+  return fine / 16 + 1 + 8 * (power - 9) + (eighth - 8);
 }
 
 constexpr std::size_t size_of_class(std::size_t c) {
   if (c <= fine / 16) return c * 16;
   const std::size_t k = c - (fine / 16 + 1);
-  return (4 + k % 4 + 1) << (k / 4 + 7);
+  return (8 + k % 8 + 1) << (k / 8 + 6);
 }
 static_assert(class_of(largest) == classes - 1 && size_of_class(classes - 1) == largest);
-static_assert(size_of_class(class_of(513)) == 640 && size_of_class(class_of(640)) == 640);
+static_assert(size_of_class(class_of(513)) == 576 && size_of_class(class_of(576)) == 576);
 
 struct FreeBlock {
   FreeBlock* next;
