@@ -60,8 +60,19 @@ void Interpreter::store(Value& target, Value value, bool is_element, const Array
 /// In loops and macros: assigns the result of compiled code to a variable that holds a number or a
 /// string, or to a new one. False, with nothing done, if it is anything else.
 bool Interpreter::quick_assign(const ast::Tree& tree, const ast::Declare& node) {
-  if (repeats_ == 0 || node.value == ast::none || node.place != ast::none) return false;
-  if (node.subscripts.count > 0 || node.deprecated || !node.semicolon) return false;
+  if (repeats_ == 0 || !assigns_variable(node)) return false;
+  if (tree.exprs[node.value].height < 2 || !takes_shortcuts()) return false;
+  Formula* const formula = formula_of(tree, node.value);
+  return formula != nullptr && quick_assign(node, *formula);
+}
+
+/// `#local Name = expression;` and nothing more.
+bool Interpreter::assigns_variable(const ast::Declare& node) {
+  return node.value != ast::none && node.place == ast::none && node.subscripts.count == 0 &&
+         !node.deprecated && node.semicolon;
+}
+
+bool Interpreter::quick_assign(const ast::Declare& node, Formula& formula) {
   if (additions_ && grammar::SymbolTable::added(node.name)) return false;
   const auto is_plain = [](const Value* v) {
     return v != nullptr && (v->is_num() || v->get<Shared<Text>>() != nullptr);
@@ -74,7 +85,7 @@ bool Interpreter::quick_assign(const ast::Tree& tree, const ast::Declare& node) 
   } else if (slot->deprecated || !slot->path.empty() || !is_plain(Environment::value_of(slot))) {
     return false;
   }
-  const Operand* result = quick(tree, node.value, 1);
+  const Operand* result = run_formula(formula, 1);
   if (result == nullptr) return false;
   if (slot == nullptr) {
     slot = &env_.in_scope(node.name, node.local ? env_.scope() : 0);

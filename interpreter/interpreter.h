@@ -22,6 +22,7 @@
 #include "interpreter/formula.h"
 #include "interpreter/interpret.h"
 #include "interpreter/plain_look.h"
+#include "interpreter/statements.h"
 #include "interpreter/stream.h"
 #include "interpreter/value.h"
 #include "scene/scene.h"
@@ -33,6 +34,14 @@ void move_densities(scene::Media& media, const Transform& by);
 
 class Font;
 class MeshBuilder;
+
+/// Before one more comes into a list that may grow long. Moving what it holds costs more than room
+/// that is never touched.
+template <typename T>
+void make_room(std::vector<T>& list) {
+  constexpr std::size_t least = 64;
+  if (list.size() == list.capacity()) list.reserve(4 * list.size() + least);
+}
 
 /// "1 argument", "3 arguments"; for messages.
 [[nodiscard]] std::string argument_count(std::size_t n);
@@ -145,10 +154,13 @@ class Interpreter {
   bool condition(const ast::Tree& tree, ast::ExprId id);
   bool is_defined(const ast::Tree& tree, ast::ExprId id);
   void call_macro(const ast::Tree& tree, ast::ExprId call, bool flatten);
+  void count_call(const ast::Macro& macro, Span call);
+  Frame& open_macro(const MacroRef& ref, ast::Range items, Span call, std::size_t first);
   void enter_macro(const ast::Tree& tree, ast::ExprId call, const MacroRef& ref, ast::Range items,
                    bool flatten);
   [[nodiscard]] bool adds_up(const ast::Tree& tree, ast::ExprId id);
   void add_argument(const ast::Tree& tree, ast::ExprId arg, bool optional = false);
+  void add_argument(const ast::Tree& tree, const CallPlan::Argument& argument);
   void read_open_arguments(const ast::Tree& tree, ast::Range items, const MacroRef& ref);
   [[nodiscard]] const MacroRef* value_macro(const ast::Tree& tree, ast::ExprId id,
                                             bool alone) const;
@@ -195,11 +207,38 @@ class Interpreter {
   }
   void missing_semicolon(const ast::Declare& node, const Num& n);
   bool quick_assign(const ast::Tree& tree, const ast::Declare& node);
+  bool quick_assign(const ast::Declare& node, Formula& formula);
+  [[nodiscard]] static bool assigns_variable(const ast::Declare& node);
   static void store_number(Value& target, Num n);
   void check_kind(const Value* first, const Array& array, const Value& value, Span span);
   void store(Value& target, Value value, bool is_element, const Array* array, Span span);
   void default_block();
   void set_version(double v, Span span);
+
+  // ---- statements.cpp, statement_plans.cpp: statements that were met before
+  void run_ahead(std::vector<scene::ObjectId>* children);
+  bool run_ahead_once(std::vector<scene::ObjectId>* children);
+  bool leave_ahead();
+  Statement& statement_at(const ast::Tree& tree, std::uint32_t pos) {
+    const auto& known = statements_of_[tree.file];
+    return known.empty() || known[pos] == nullptr ? new_statement(tree, pos) : *known[pos];
+  }
+  Statement& new_statement(const ast::Tree& tree, std::uint32_t pos);
+  std::unique_ptr<SwitchPlan> plan_switch(const ast::Tree& tree, const ast::Directive& d);
+  bool run_switch(const ast::Tree& tree, const SwitchPlan& plan);
+  void prepare(Statement& s, const ast::Tree& tree, std::uint32_t pos);
+  std::unique_ptr<CallPlan> plan_call(const ast::Tree& tree, ast::ExprId id);
+  std::unique_ptr<ObjectPlan> plan_object(const ast::Tree& tree, std::uint32_t pos);
+  bool plan_operands(ObjectPlan& plan, const Frame& block, std::uint32_t& pos);
+  bool plan_step(ObjectPlan& plan, const Frame& block, std::uint32_t& pos);
+  bool plan_colour(ObjectPlan::Step& step, const ast::Tree& tree, ast::Range items);
+  bool run_call(const ast::Tree& tree, const CallPlan& plan);
+  bool run_object(Span word, const ObjectPlan& plan, std::vector<scene::ObjectId>* children);
+  bool work_out_operands(const ObjectPlan& plan, std::span<double> args);
+  struct PlannedLook;
+  bool work_out_steps(const ObjectPlan& plan, std::span<Operand> values, PlannedLook& look);
+  void take_colour(scene::Object& o, const ObjectPlan::Step& step, const Operand& value,
+                   PlannedLook& look);
 
   // ---- places.cpp, additions.cpp: dictionaries and what else is new in 3.8
   enum class Access : std::uint8_t { read, probe, write };
@@ -294,6 +333,16 @@ class Interpreter {
   int work_out(const ast::Tree& tree, ast::ExprId id, int want, double* v);
   /// The compiled way to a value (formula.h), valid until the next; null if there is none here.
   const Operand* quick(const ast::Tree& tree, ast::ExprId id, int want);
+  const Operand* run_formula(Formula& formula, int want) {
+    if (formula.calls_functions) workspace_.context.noise_generator = noise_generator();
+    const Operand* result = machine_.run(formula, want);
+    if (result == nullptr) return note_failure(formula);
+    turns_ += formula.calls;
+    if (peek_ != nullptr) machine_.tell_draws(*peek_);
+    return result;
+  }
+  static const Operand* note_failure(Formula& formula);
+  Formula* formula_of(const ast::Tree& tree, ast::ExprId id);
   Formula& new_formula(const ast::Tree& tree, ast::ExprId id);
   int work_out_full(const ast::Tree& tree, ast::ExprId id, int want, double* v);
   double work_out_float(const ast::Tree& tree, ast::ExprId id, std::string_view what);
@@ -493,6 +542,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
 
   scene::Object read_csg(scene::NodeKind kind, const Token& word);
   scene::ObjectId read_object_modifiers(scene::Object object, const Token& word, Span opened);
+  void settle_texture(scene::Object& object);
   bool object_modifier(scene::Object& object, const Token& token);
   void transform_object(scene::Object& object, const Transform& t);
   void read_clips(scene::Object& object, bool clip);
@@ -513,6 +563,24 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   scene::TextureId read_texture(std::string_view block);
   scene::Texture materialize(const scene::TextureUse& use);
   void edit_texture(scene::TextureUse& use, const Token& word);
+  /// Changes the texture in use by `edit`, in place if this statement has made it.
+  template <typename Edit>
+  void change_texture(scene::TextureUse& use, Edit&& edit) {
+    const bool own = use.texture == own_texture_ && own_texture_ != scene::none;
+    if (!own) {
+      scene::Texture t = materialize(use);
+      edit(t);
+      use = {add_texture(std::move(t)), {}};
+      own_texture_ = use.texture;
+      return;
+    }
+    // Nobody else has seen it.
+    scene::Texture t = std::move(scene_.textures[use.texture]);
+    if (!use.transform.is_identity()) transform_texture(t, use.transform);
+    edit(t);
+    scene_.textures[use.texture] = std::move(t);
+    use.transform = {};
+  }
   void add_layers(scene::TextureUse& use, scene::TextureId layers);
   void transform_texture(scene::Texture& texture, const Transform& t);
   void edit_layer(scene::Layer& layer, const Token& word);
@@ -529,6 +597,12 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   void share_texture(scene::TextureUse& use);
   [[nodiscard]] static bool is_plain(const scene::Texture& texture);
   bool quick_pigment(scene::TextureUse& use);
+  [[nodiscard]] bool takes_paint(scene::TextureId texture);
+  void give_finish(scene::TextureUse& use, const Boxed<scene::Finish>& finish);
+  scene::TextureId painted(scene::TextureId base, const Colour& colour, Span written);
+  bool dress(scene::TextureUse& use, const Colour& colour, const Boxed<scene::Finish>& finish,
+             Span written);
+  void paint(scene::TextureUse& use, const Colour& colour, Span written);
   scene::Pigment read_pigment(scene::Pigment start);
   void read_pigment_body(scene::Pigment& pigment, Token::Kind last);
   void start_pigment_pattern(scene::Pigment& pigment, std::uint32_t index, const Token& word);
@@ -564,6 +638,9 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   scene::Finish read_finish(scene::Finish start);
   // ---- constant_blocks.cpp
   const ast::Group* constant_block();
+  [[nodiscard]] bool is_constant_block(const ast::Tree& tree, const ast::Group& group);
+  [[nodiscard]] const Boxed<scene::Finish>* known_finish(const ast::Group& block,
+                                                         const Boxed<scene::Finish>& start) const;
   Boxed<scene::Finish> read_shared_finish(const Boxed<scene::Finish>& start);
   void read_reflection(scene::Finish& finish);
   scene::InteriorId read_interior();
@@ -627,6 +704,10 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   scene::OriginId call_origin();
   [[nodiscard]] std::string_view name_of(SymbolId id) const { return symbols_.text(id); }
   [[nodiscard]] int version() const { return declared_version_; }
+  /// Before version 1.5 operands end where a factor ends: the shorter ways know nothing of that.
+  [[nodiscard]] bool takes_shortcuts() const {
+    return options_.shortcuts && declared_version_ >= 150;
+  }
 
   SourceMap& sources_;
   FileId main_file_ = 0;
@@ -657,6 +738,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   std::vector<const ast::Tree*> tree_of_;  // by file
   std::vector<std::vector<Formula*>> formulas_of_;  // by file, expression
   std::deque<Formula> formulas_;
+  std::vector<std::vector<std::unique_ptr<Statement>>> statements_of_;  // by file, first item
   Formula no_formula_;
   std::unordered_set<std::uint64_t> warned_;
   std::unordered_set<Loc> reported_;  // places of errors
@@ -681,7 +763,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   scene::TextureId default_texture_ = scene::none;
   bool reading_default_ = false;  // a normal may have settings and no pattern yet
   /// Textures of one plain colour: objects that look alike share one.
-  std::unordered_map<PlainLook, scene::TextureId, PlainLook::Hash> plain_textures_;
+  KnownLooks plain_textures_;
   std::unordered_map<const ast::Group*, bool> constant_;  // blocks, as far as known
   struct FinishKey {
     const ast::Group* block;

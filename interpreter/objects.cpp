@@ -206,6 +206,7 @@ scene::Object Interpreter::read_csg(scene::NodeKind kind, const Token& word) {
   o.kind = kind;
   o.origin = origin(word.span);
   for (;;) {
+    run_ahead(&o.children);
     const Token t = peek();
     if (starts_object(t)) {
       next();
@@ -261,11 +262,16 @@ scene::ObjectId Interpreter::read_object_modifiers(scene::Object object, const T
     d.labels.push_back({word.span.to(opened), "in this block"});
     fail(std::move(d));
   }
+  settle_texture(object);
+  return add_object(std::move(object));
+}
+
+/// At the end of the statement that made the object.
+void Interpreter::settle_texture(scene::Object& object) {
   if (own_texture_ != scene::none && object.texture.texture == own_texture_) {
     share_texture(object.texture);
   }
   own_texture_ = scene::none;
-  return add_object(std::move(object));
 }
 
 void Interpreter::transform_object(scene::Object& o, const Transform& t) {

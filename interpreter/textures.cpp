@@ -13,6 +13,7 @@ namespace w = grammar::words;
 // -------------------------------------------------------------------------------------
 
 scene::TextureId Interpreter::add_texture(scene::Texture texture) {
+  make_room(scene_.textures);
   scene_.textures.push_back(std::move(texture));
   return static_cast<scene::TextureId>(scene_.textures.size() - 1);
 }
@@ -87,23 +88,7 @@ void Interpreter::add_layers(scene::TextureUse& use, scene::TextureId added) {
 void Interpreter::edit_texture(scene::TextureUse& use, const Token& word) {
   if (use.texture == scene::none) use = {default_texture_, {}};
   if (word.is(w::pigment) && quick_pigment(use)) return;
-  scene::Texture t;
-  const bool own = use.texture == own_texture_ && own_texture_ != scene::none;
-  if (own) {
-    // Made by this very statement: nobody else has seen it, so it can be changed in place.
-    t = std::move(scene_.textures[use.texture]);
-    if (!use.transform.is_identity()) transform_texture(t, use.transform);
-  } else {
-    t = materialize(use);
-  }
-  edit_layer(top_layer(t, word.span), word);
-  if (own) {
-    scene_.textures[use.texture] = std::move(t);
-    use.transform = {};
-  } else {
-    use = {add_texture(std::move(t)), {}};
-    own_texture_ = use.texture;
-  }
+  change_texture(use, [&](scene::Texture& t) { edit_layer(top_layer(t, word.span), word); });
 }
 
 void Interpreter::edit_layer(scene::Layer& layer, const Token& word) {
