@@ -100,6 +100,16 @@ struct Normal {
   std::string unsupported;
 };
 
+/// True if it, or something in it, is looked up at (u, v, 0) of the object.
+template <typename Look>  // Pigment or Normal
+[[nodiscard]] bool uses_uv(const Look& look) {
+  if (look.uv_mapping) return true;
+  for (const Look& child : look.children) {
+    if (uses_uv(child)) return true;
+  }
+  return false;
+}
+
 struct Layer {
   Boxed<Pigment> pigment;
   Boxed<Finish> finish;

@@ -281,7 +281,7 @@ class Flattener {
     return t.uv_mapping ||
            std::any_of(t.layers.begin(), t.layers.end(),
                        [](const scene::Layer& l) {
-                         return l.pigment->uv_mapping || l.normal->uv_mapping;
+                         return scene::uses_uv(*l.pigment) || scene::uses_uv(*l.normal);
                        }) ||
            std::any_of(t.entries.begin(), t.entries.end(),
                        [&](const scene::TextureEntry& e) { return by_uv(e.texture); });

@@ -46,7 +46,6 @@ void UnsupportedReport::check_interior(scene::InteriorId id) {
 void UnsupportedReport::check_pigment(const scene::Pigment& pigment) {
   report(pigment.unsupported, pigment.origin);
   for (const scene::Pigment& child : pigment.children) {
-    if (child.uv_mapping) report("`uv_mapping` inside of another pattern", child.origin);
     check_pigment(child);
   }
 }
@@ -54,14 +53,14 @@ void UnsupportedReport::check_pigment(const scene::Pigment& pigment) {
 void UnsupportedReport::check_normal(const scene::Normal& normal) {
   report(normal.unsupported, normal.origin);
   for (const scene::Normal& child : normal.children) {
-    if (child.uv_mapping) report("`uv_mapping` inside of another pattern", child.origin);
     check_normal(child);
   }
 }
 
 void UnsupportedReport::check_sky_pigment(const scene::Pigment& pigment) {
   if (pigment.uv_mapping) report("`uv_mapping` in a sky", pigment.origin);
-  check_pigment(pigment);
+  report(pigment.unsupported, pigment.origin);
+  for (const scene::Pigment& child : pigment.children) check_sky_pigment(child);
 }
 
 void UnsupportedReport::check_finish(const scene::Finish& finish, scene::OriginId origin) {
