@@ -237,13 +237,13 @@ int ImageSampler::palette_index(dvec2 at) const {
 
 Colour ImageSampler::colour(dvec2 at) const {
   Colour c = interpolated(at);
-  if (image_.premultiplied) {
-    const float alpha = 1 - c.filter - c.transmit;
-    if (alpha > epsilon) c.rgb /= alpha;
-  }
   if (palette_.empty()) {
     c.filter += image_.filter_all.value_or(0);
     c.transmit += image_.transmit_all.value_or(0);
+  }
+  if (image_.premultiplied) {
+    const float alpha = 1 - c.transmit;
+    if (alpha > epsilon) c.rgb /= alpha;
   }
   return c;
 }
@@ -255,7 +255,9 @@ double ImageSampler::height(dvec2 at) const {
 
 double ImageSampler::value(dvec2 at) const {
   const Colour c = interpolated(at);
-  const float v = !image_.use_alpha ? grey(c.rgb) : has_alpha_ ? c.transmit : c.rgb.x;
+  const float v = !image_.use_alpha                     ? grey(c.rgb)
+                  : has_alpha_ || !palette_.empty() ? c.transmit
+                                                    : c.rgb.x;
   return std::clamp(v, 0.0F, 1.0F);
 }
 
