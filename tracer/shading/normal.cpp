@@ -65,15 +65,6 @@ dvec3 NormalStore::at(NormalId id, dvec3 p, dvec3 n, const SurfaceView* view) co
   return node.frame.leave(n);
 }
 
-bool NormalStore::uses_uv(NormalId id) const {
-  const Node& node = nodes_[id];
-  if (node.by_uv) return true;
-  for (std::uint32_t i = node.first_entry; i < node.end_entry; ++i) {
-    if (uses_uv(entries_[i].child)) return true;
-  }
-  return false;
-}
-
 dvec3 NormalStore::perturbed(const Node& node, dvec3 p, dvec3 n, const SurfaceView* view) const {
   const PatternType& type = *node.pattern.type;
   if (node.first_entry != node.end_entry) {

@@ -38,9 +38,6 @@ class NormalStore {
   /// Adds a normal and everything below it; `to_world` leads from the space around it to the world.
   NormalId add(const scene::Normal& normal, const Transform& to_world);
 
-  /// True if it, or something in it, is looked up at (u, v, 0).
-  [[nodiscard]] bool uses_uv(NormalId id) const;
-
   /// What becomes of the normal `n` at `p`, both in the space around the normal. Not of unit
   /// length if the word `no_bump_scale` says so.
   [[nodiscard]] dvec3 at(NormalId id, dvec3 p, dvec3 n, const SurfaceView* view) const;

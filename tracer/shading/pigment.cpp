@@ -123,13 +123,4 @@ bool PigmentStore::opaque(PigmentId id) const {
   return true;
 }
 
-bool PigmentStore::uses_uv(PigmentId id) const {
-  const Node& node = nodes_[id];
-  if (node.by_uv) return true;
-  for (std::uint32_t i = node.first_entry; i < node.end_entry; ++i) {
-    if (entries_[i].child != scene::none && uses_uv(entries_[i].child)) return true;
-  }
-  return false;
-}
-
 }  // namespace durer::tracer

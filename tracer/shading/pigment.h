@@ -35,9 +35,6 @@ class PigmentStore {
   /// The value that its pattern selects colours with, at a world point; 0 if it has no pattern.
   [[nodiscard]] double pattern_value(PigmentId id, dvec3 p) const;
 
-  /// True if it, or something in it, is looked up at (u, v, 0).
-  [[nodiscard]] bool uses_uv(PigmentId id) const;
-
   /// True if it can never filter or transmit, wherever it is looked at.
   [[nodiscard]] bool opaque(PigmentId id) const;
 

@@ -45,10 +45,10 @@ TextureProgram TextureStore::compile_layers(scene::TextureId id, const Transform
     LayerProgram out;
     out.finish = finish + static_cast<std::uint32_t>(i);
     out.pigment = pigments_.add(*layer.pigment, placement);
-    program.uses_uv = program.uses_uv || pigments_.uses_uv(out.pigment);
+    program.uses_uv = program.uses_uv || scene::uses_uv(*layer.pigment);
     if (quality_.normals && layer.normal->pattern.exists()) {
       out.normal = normals_.add(*layer.normal, placement);
-      program.uses_uv = program.uses_uv || normals_.uses_uv(out.normal);
+      program.uses_uv = program.uses_uv || scene::uses_uv(*layer.normal);
     }
     layers_.push_back(out);
     program.opaque = program.opaque || pigments_.opaque(out.pigment);
@@ -61,7 +61,7 @@ TextureProgram TextureStore::compile_choice(const scene::Texture& texture,
                                             const Transform& placement) {
   TextureProgram program;
   program.opaque = true;
-  program.uses_uv = texture.uv_mapping;
+  program.uses_uv = texture.uv_mapping || scene::uses_uv(*texture.pattern);
   std::vector<TextureChoiceEntry> entries;
   for (const scene::TextureEntry& e : texture.entries) {
     entries.push_back({e.key, add({e.texture, {}})});
