@@ -33,6 +33,7 @@ namespace durer::interpreter {
 void move_densities(scene::Media& media, const Transform& by);
 
 class Font;
+struct PictureFile;
 class MeshBuilder;
 
 /// Before one more comes into a list that may grow long. Moving what it holds costs more than room
@@ -292,6 +293,22 @@ class Interpreter {
   [[noreturn]] void missing_file(const std::string& name, Span span,
                                  std::span<const std::string_view> suffixes = {});
   void check_writable(const std::string& path, Span span);
+
+  // ---- pictures.cpp, images.cpp, density_files.cpp
+  PictureFile read_picture_file();
+  std::shared_ptr<const Picture> load_picture(const std::string& path, const std::string& kind,
+                                              Span span);
+  std::shared_ptr<const Picture> read_function_picture(double columns, double rows, Span span);
+  functions::FunctionRef read_picture_function(Span span);
+  void sample_numbers(const functions::Function& function, Picture& picture);
+  void read_image(scene::Pattern& pattern, const Token& word, float* bump_size);
+  void read_image_source(scene::Image& image, bool is_map);
+  void set_curves(scene::Image& image, const PictureFile& file, bool is_map) const;
+  bool image_setting(scene::Image& image, const Token& t, SymbolId block);
+  void image_kind(scene::Image& image, const Token& t, SymbolId block);
+  void palette_setting(scene::Image& image, const Token& t);
+  std::shared_ptr<const scene::Voxels> read_voxels();
+  void read_object_pattern(scene::Pattern& pattern, Span span);
 
   // ---- include.cpp: files
   const ast::Tree& load(const std::string& name, Span span);
@@ -589,6 +606,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   void read_texture_part(scene::Texture& texture, const Token& token, Span span);
   void read_pattern_texture(scene::Texture& texture, const Token& word, Token::Kind last);
   void read_texture_list(scene::Texture& texture, int size);
+  void read_materials(scene::Texture& texture, scene::Pattern& pattern, Span span);
   void read_tiles(scene::Texture& texture, Span span);
   scene::Layer& top_layer(scene::Texture& texture, Span span);
   void keep_bump_scale(scene::Texture& texture);
@@ -613,7 +631,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   // ---- maps.h
   template <typename Map, typename ReadEntry>
   void read_map(std::string_view name, Map& map, bool weights, ReadEntry read_entry);
-  void check_entries(const scene::Pattern& pattern, bool none, std::string_view map);
+  void check_pattern(const scene::Pattern& pattern, bool none, std::string_view map);
   [[noreturn]] void bad_map(const Token& word, const scene::PatternInfo* info);
   // ---- normals.cpp
   [[nodiscard]] const scene::Normal& default_normal() const;
@@ -627,7 +645,10 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   // ---- patterns.cpp
   [[nodiscard]] bool is_pattern_word(SymbolId word) const;
   void choose_pattern(scene::Pattern& pattern, std::uint32_t index);
-  void read_pattern_operands(scene::Pattern& pattern, const Token& word);
+  void read_pattern_operands(scene::Pattern& pattern, const Token& word,
+                             float* bump_size = nullptr);
+  void open_list(scene::Pattern& pattern, const Token& word);
+  void close_list(const scene::Pattern& pattern, const Token& word);
   bool pattern_modifier(scene::Pattern& pattern, const Token& token);
   void read_turbulence(scene::Pattern& pattern, const Token& word);
   void read_magnet(scene::Pattern& pattern, Span span);
@@ -759,6 +780,8 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   functions::Workspace workspace_;      // of calls of functions
   FormulaMachine machine_{env_, streams_, workspace_};
   scene::Scene scene_;
+  std::map<std::string, PictureRead> pictures_;  // by path
+  std::map<std::string, std::shared_ptr<const scene::Voxels>> voxels_;
   std::vector<std::uint16_t> object_depths_;  // by object: 1 + that of its deepest child
   scene::TextureId default_texture_ = scene::none;
   bool reading_default_ = false;  // a normal may have settings and no pattern yet

@@ -34,9 +34,6 @@ class ObjectReader {
   void put_vector(std::size_t at, int width);
   scene::HeightField picture_heights();
   scene::HeightField function_heights();
-  functions::FunctionRef read_heights_function(Span span);
-  scene::HeightField colour_heights(const functions::Function& function, double columns,
-                                    double rows);
   bool julia_function();
   void read_power();
   void blob_component(bool rod);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
 
@@ -38,6 +39,9 @@ static_assert(complete<Settings>);
 static_assert(complete<PigmentEntry>);
 static_assert(complete<Warp>);
 static_assert(complete<Pattern>);
+static_assert(complete<PaletteChange>);
+static_assert(complete<Image>);
+static_assert(complete<Voxels>);
 static_assert(complete<Pigment>);
 static_assert(complete<Finish>);
 static_assert(complete<NormalEntry>);
@@ -126,6 +130,19 @@ std::string text_of(T x) {
   return fmt::format("{}", x);
 }
 
+/// Size and kind of a picture, and a hash of its pixels: pictures that differ have other words.
+std::string summary(const Picture& p) {
+  std::uint64_t hash = 14695981039346656037U;
+  const auto add = [&](std::uint64_t x) { hash = (hash ^ x) * 1099511628211U; };
+  for (const std::uint16_t code : p.codes) add(code);
+  for (const float sample : p.samples) add(std::bit_cast<std::uint32_t>(sample));
+  for (const auto& colour : p.palette) {
+    for (const std::uint8_t part : colour) add(part);
+  }
+  return fmt::format("{}x{}, {} x {} bits, {} colours, {:016x}", p.width, p.height, p.channels,
+                     p.bits, p.palette.size(), hash);
+}
+
 template <typename Writer>
 class Dumper {
  public:
@@ -181,6 +198,15 @@ class Dumper {
     value(name, *x);
   }
   void value(std::string_view name, const std::shared_ptr<const Pigment>& x) {
+    x ? structure(name, *x) : out_.nothing(name);
+  }
+  void value(std::string_view name, const std::shared_ptr<const Image>& x) {
+    x ? structure(name, *x) : out_.nothing(name);
+  }
+  void value(std::string_view name, const std::shared_ptr<const Picture>& x) {
+    x ? out_.word(name, summary(*x)) : out_.nothing(name);
+  }
+  void value(std::string_view name, const std::shared_ptr<const Voxels>& x) {
     x ? structure(name, *x) : out_.nothing(name);
   }
   void value(std::string_view name, const std::shared_ptr<const Isosurface>& x) {

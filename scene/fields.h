@@ -4,6 +4,7 @@
 #include <array>
 #include <tuple>
 
+#include "scene/image.h"
 #include "scene/mesh.h"
 #include "scene/scene.h"
 
@@ -308,11 +309,45 @@ struct Fields<Warp> {
 };
 
 template <>
+struct Fields<PaletteChange> {
+  static constexpr std::tuple all{field("index", &PaletteChange::index),
+                                  field("value", &PaletteChange::value)};
+};
+
+template <>
+struct Fields<Image> {
+  static constexpr std::tuple all{
+      field("picture", &Image::picture),
+      field("stored", &Image::stored),
+      field("working", &Image::working),
+      field("projection", &Image::projection),
+      field("interpolation", &Image::interpolation),
+      field("once", &Image::once),
+      field("use_index", &Image::use_index),
+      field("use_alpha", &Image::use_alpha),
+      field("premultiplied", &Image::premultiplied),
+      field("repeat", &Image::repeat),
+      field("offset", &Image::offset),
+      field("filter_all", &Image::filter_all),
+      field("transmit_all", &Image::transmit_all),
+      field("filter", &Image::filter),
+      field("transmit", &Image::transmit)};
+};
+
+template <>
+struct Fields<Voxels> {
+  static constexpr std::tuple all{field("size", &Voxels::size), field("width", &Voxels::width),
+                                  field("bytes", &Voxels::bytes)};
+};
+
+template <>
 struct Fields<Pattern> {
   static constexpr std::tuple all{field("type", &Pattern::type, Role::pattern),
                                   field("args", &Pattern::args, Role::operands),
                                   field("function", &Pattern::function),
                                   field("pigment", &Pattern::pigment),
+                                  field("image", &Pattern::image),
+                                  field("voxels", &Pattern::voxels),
                                   field("warps", &Pattern::warps),
                                   field("transform", &Pattern::transform),
                                   field("frequency", &Pattern::frequency),
@@ -511,6 +546,15 @@ struct Words<Phase> {
 template <>
 struct Words<GammaMode> {
   static constexpr std::array<std::string_view, 4> all{"off", "legacy", "explicit", "implied"};
+};
+template <>
+struct Words<Image::Projection> {
+  static constexpr std::array<std::string_view, 4> all{"planar", "spherical", "cylindrical",
+                                                       "toroidal"};
+};
+template <>
+struct Words<Image::Interpolation> {
+  static constexpr std::array<std::string_view, 4> all{"nearest", "bilinear", "bicubic", "distance"};
 };
 template <>
 struct Words<Wave> {

@@ -103,6 +103,21 @@ struct Normal {
   std::string unsupported;
 };
 
+/// True if it, or something in it, is looked up at (u, v, 0) of the object.
+[[nodiscard]] bool uses_uv(const Pattern& pattern);
+template <typename Look>  // Pigment or Normal
+[[nodiscard]] bool uses_uv(const Look& look) {
+  if (look.uv_mapping || uses_uv(look.pattern)) return true;
+  for (const Look& child : look.children) {
+    if (uses_uv(child)) return true;
+  }
+  return false;
+}
+
+inline bool uses_uv(const Pattern& pattern) {
+  return pattern.pigment != nullptr && uses_uv(*pattern.pigment);
+}
+
 struct Layer {
   Boxed<Pigment> pigment;
   Boxed<Finish> finish;

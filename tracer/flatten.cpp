@@ -334,10 +334,10 @@ class Flattener {
   [[nodiscard]] bool by_uv(scene::TextureId id) const {
     if (id == none) return false;
     const scene::Texture& t = scene_.textures[id];
-    return t.uv_mapping ||
+    return t.uv_mapping || scene::uses_uv(*t.pattern) ||
            std::any_of(t.layers.begin(), t.layers.end(),
                        [](const scene::Layer& l) {
-                         return l.pigment->uv_mapping || l.normal->uv_mapping;
+                         return scene::uses_uv(*l.pigment) || scene::uses_uv(*l.normal);
                        }) ||
            std::any_of(t.entries.begin(), t.entries.end(),
                        [&](const scene::TextureEntry& e) { return by_uv(e.texture); });

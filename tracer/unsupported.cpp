@@ -53,7 +53,6 @@ void UnsupportedReport::check_media(std::span<const scene::Media> media) {
 void UnsupportedReport::check_pigment(const scene::Pigment& pigment) {
   report(pigment.unsupported, pigment.origin);
   for (const scene::Pigment& child : pigment.children) {
-    if (child.uv_mapping) report("`uv_mapping` inside of another pattern", child.origin);
     check_pigment(child);
   }
 }
@@ -61,14 +60,14 @@ void UnsupportedReport::check_pigment(const scene::Pigment& pigment) {
 void UnsupportedReport::check_normal(const scene::Normal& normal) {
   report(normal.unsupported, normal.origin);
   for (const scene::Normal& child : normal.children) {
-    if (child.uv_mapping) report("`uv_mapping` inside of another pattern", child.origin);
     check_normal(child);
   }
 }
 
 void UnsupportedReport::check_sky_pigment(const scene::Pigment& pigment) {
   if (pigment.uv_mapping) report("`uv_mapping` in a sky", pigment.origin);
-  check_pigment(pigment);
+  report(pigment.unsupported, pigment.origin);
+  for (const scene::Pigment& child : pigment.children) check_sky_pigment(child);
 }
 
 void UnsupportedReport::check_finish(const scene::Finish& finish, scene::OriginId origin) {

@@ -44,14 +44,13 @@ TextureProgram TextureStore::compile_layers(scene::TextureId id, const Transform
     const scene::Layer& layer = texture.layers[i];
     LayerProgram out;
     out.finish = finish + static_cast<std::uint32_t>(i);
-    out.by_uv = layer.pigment->uv_mapping;
-    out.pigment = pigments_.add(*layer.pigment, out.by_uv ? Transform{} : placement);
+    out.pigment = pigments_.add(*layer.pigment, placement);
+    program.uses_uv = program.uses_uv || scene::uses_uv(*layer.pigment);
     if (quality_.normals && layer.normal->pattern.exists()) {
-      out.normal_by_uv = layer.normal->uv_mapping;
-      out.normal = normals_.add(*layer.normal, out.normal_by_uv ? Transform{} : placement);
+      out.normal = normals_.add(*layer.normal, placement);
+      program.uses_uv = program.uses_uv || scene::uses_uv(*layer.normal);
     }
     layers_.push_back(out);
-    program.uses_uv = program.uses_uv || out.by_uv || out.normal_by_uv;
     program.opaque = program.opaque || pigments_.opaque(out.pigment);
   }
   program.end_layer = static_cast<std::uint32_t>(layers_.size());
@@ -62,7 +61,7 @@ TextureProgram TextureStore::compile_choice(const scene::Texture& texture,
                                             const Transform& placement) {
   TextureProgram program;
   program.opaque = true;
-  program.uses_uv = texture.uv_mapping;
+  program.uses_uv = texture.uv_mapping || scene::uses_uv(*texture.pattern);
   std::vector<TextureChoiceEntry> entries;
   for (const scene::TextureEntry& e : texture.entries) {
     entries.push_back({e.key, add({e.texture, {}})});

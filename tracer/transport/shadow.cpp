@@ -149,13 +149,13 @@ vec3 Tracer::shadow_factor(const View& view, const Containment& inside) const {
   const TextureStore& textures = scene_->textures;
   const Interior& body = scene_->interiors[view.interior];
   vec3 k(1.0F);
-  SurfaceView seen{view.p, view.d, view.g};
+  SurfaceView seen{view.p, view.d, view.g, view.uv};
   for (std::uint32_t i = view.texture->first_layer; i < view.texture->end_layer; ++i) {
     const LayerProgram& layer = textures.layer(i);
     // Only caustics ask for bumps; without them, patterns too see the bare surface.
     const bool bumpy = layer.normal != scene::none && body.caustics != 0;
     const dvec3 n = bumpy ? bend(view, layer, seen) : view.g;
-    k *= textures.pigments().at(layer.pigment, layer.by_uv ? view.uv : view.q, &seen).transmission();
+    k *= textures.pigments().at(layer.pigment, view.q, &seen).transmission();
     if (body.caustics != 0) {
       k *= static_cast<float>(1 + std::pow(std::abs(glm::dot(n, view.d)), body.caustics));
     }

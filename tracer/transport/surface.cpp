@@ -70,7 +70,7 @@ float Tracer::opacity(const Colour& c) const {
 Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
   const TextureStore& textures = scene_->textures;
   LayerSum sum;
-  SurfaceView seen{view.p, view.d, view.g};
+  SurfaceView seen{view.p, view.d, view.g, view.uv};
   const std::uint32_t first = view.texture->first_layer;
   const bool gathers =
       scene_->radiosity && path.bounce < scene_->radiosity->bounces.size();
@@ -80,8 +80,7 @@ Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
     const LayerProgram& program = textures.layer(i);
     const dvec3 n = program.normal == scene::none ? view.g : bend(view, program, seen);
     if (i == first) sum.top = n;
-    const Colour c =
-        textures.pigments().at(program.pigment, program.by_uv ? view.uv : view.q, &seen);
+    const Colour c = textures.pigments().at(program.pigment, view.q, &seen);
     if (!quality_.lights) {
       sum.colour = c.rgb;
       sum.sigma = std::min(sum.sigma, std::abs(grey(sum.through *= c.transmission())));
@@ -113,8 +112,7 @@ Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
 dvec3 Tracer::bend(const View& view, const LayerProgram& layer, SurfaceView& seen) const {
   dvec3 n = view.g;
   for (std::uint32_t i = 0; i < view.frame_count; ++i) n = view.frames[i]->enter(n);
-  const dvec3 p = layer.normal_by_uv ? view.uv : view.q;
-  n = scene_->textures.normals().at(layer.normal, p, n, &seen);
+  n = scene_->textures.normals().at(layer.normal, view.q, n, &seen);
   seen.n = n;
   // Of unit length here, but not after a patterned texture that keeps lengths: as the oracle has it.
   n = glm::normalize(n);
