@@ -1,0 +1,132 @@
+#!/usr/bin/env python3
+"""The standard includes that are made from the tables of stdlib/data.
+
+    tools/stdlib.py generate       write them
+    tools/stdlib.py fresh          fail if one is not what its table says
+    tools/stdlib.py names          fail if a name of tests/includes/names.tsv is missing in stdlib
+"""
+
+import argparse
+import difflib
+import json
+import re
+import sys
+from pathlib import Path
+
+import programs
+import stdlib_text as text
+
+LIBRARY = programs.ROOT / "stdlib"
+DATA = LIBRARY / "data"
+TABLES = ("colors", "consts", "functions", "ior")  # those with a format of their own
+
+
+def colours() -> str:
+    fields = ("red", "green", "blue", "filter", "transmit")
+    lines = [f"#declare {row['name']} = {text.colour([_plain(row[f]) for f in fields])};" for row in text.rows(DATA / "colors.tsv")]
+    return "\n".join(lines)
+
+
+def _plain(written: str) -> float:
+    value = float(written)
+    return int(value) if value == int(value) else value
+
+
+def constants() -> str:
+    return "\n".join(f"#declare {row['name']} = {row['value']};" for row in text.rows(DATA / "consts.tsv"))
+
+
+def indices() -> str:
+    lines = []
+    for row in text.rows(DATA / "ior.tsv"):
+        name, other, spread = row["name"], row["alias_of"], row["spread"]
+        lines.append(f"#declare ior{name} = {f'ior{other}' if other else row['index']};")
+        if other:
+            lines.append(f"#ifdef (disp{other}) #declare disp{name} = disp{other}; #end")
+        elif spread:
+            lines.append(f"#declare disp{name} = FnPovDispersion(ior{name}, {spread});")
+    return "\n".join(lines)
+
+
+def functions() -> str:
+    return "\n".join(f"#declare {row['name']} = function {{ internal({row['index']}) }}" for row in text.rows(DATA / "functions.tsv"))
+
+
+def made() -> dict[str, str]:
+    """File → text, for every include that is made from a table."""
+    found = {
+        "colors.inc": text.include("Colours by name, and colours as hue, saturation and lightness.", "colors.tsv", "Colors_Inc_Temp",
+                                   [], colours() + tail("colors"), "colors.inc"),
+        "consts.inc": text.include("Constants: refractive indices, angles of view, kinds of maps and media.", "consts.tsv",
+                                   "Consts_Inc_Temp", [], constants(), "consts.inc"),
+        "functions.inc": text.include("The built-in functions of the language, and patterns as functions.", "functions.tsv",
+                                      "Functions_Inc_Temp", [], functions() + tail("functions"), "function.inc"),
+        "ior.inc": text.include("Refractive indices and dispersions of glasses and gems.", "ior.tsv", "Ior_Inc_Temp", [],
+                                head("ior") + indices(), "ior.inc"),
+    }
+    for path in sorted(DATA.glob("*.json")):
+        if path.name == "maps.json":
+            continue
+        table = json.loads(path.read_text("utf-8"))
+        body = "\n".join(map(text.declared, table["declarations"])) + tail(path.stem)
+        found[table["include"]] = text.include(table["title"], path.name, table["guard"], table["requires"], body, table["include"])
+    for file, entry in json.loads((DATA / "maps.json").read_text("utf-8")).items():
+        found[file] = "\n".join(
+            [f"/// The colours of a photographed {'stone' if 'marb' in file or 'granit' in file else 'wood'}, from dark to light.",
+             "// Made from stdlib/data/maps.json by tools/stdlib.py: change that, not this.",
+             f"#declare {entry['guard']} = version;", text.photographed_map(entry), ""])
+    return found
+
+
+def tail(stem: str) -> str:
+    """What is written by hand and follows the table."""
+    path = DATA / f"{stem}.tail.inc"
+    return f"\n\n{path.read_text('utf-8').rstrip()}" if path.exists() else ""
+
+
+def head(stem: str) -> str:
+    return f"{(DATA / f'{stem}.head.inc').read_text('utf-8').rstrip()}\n\n"
+
+
+def generate() -> int:
+    for name, content in made().items():
+        (LIBRARY / name).write_text(content, "utf-8")
+    return 0
+
+
+def fresh() -> int:
+    stale = 0
+    for name, content in made().items():
+        path = LIBRARY / name
+        there = path.read_text("utf-8") if path.exists() else ""
+        if there != content:
+            stale += 1
+            print("\n".join(list(difflib.unified_diff(there.split("\n"), content.split("\n"), name, "the table", lineterm="", n=1))[:12]))
+    print(f"{len(made())} includes, {stale} differ from their tables" + ("; `tools/stdlib.py generate` makes them anew" if stale else ""))
+    return 1 if stale else 0
+
+
+def names() -> int:
+    """Every name must be declared, undefined again, or set by a macro of the file or of one it includes."""
+    missing = []
+    rows = [line.split("\t") for line in (programs.ROOT / "tests/includes/names.tsv").read_text("utf-8").splitlines()[1:]]
+    texts = {path.name: path.read_text("utf-8") for path in LIBRARY.iterdir() if path.suffix in (".inc", ".map")}
+    for include, name, kind in rows:
+        words = r"#\s*macro\s+" if kind == "macro" else r"#\s*(declare|local)\s+(deprecated\s+(once\s+)?(\"[^\"]*\"\s*)?)?"
+        alone = texts.get(include, "")
+        if not re.search(rf"{words}{re.escape(name)}\b", alone):
+            missing.append(f"{include}\t{name}\t{kind}")
+    print("\n".join(missing))
+    print(f"{len(rows)} names, {len(missing)} missing")
+    return 1 if missing else 0
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    actions = {"generate": generate, "fresh": fresh, "names": names}
+    parser.add_argument("action", choices=actions)
+    return actions[parser.parse_args().action]()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
