@@ -18,7 +18,13 @@ import stdlib_text as text
 
 LIBRARY = programs.ROOT / "stdlib"
 DATA = LIBRARY / "data"
-TABLES = ("colors", "consts", "functions", "ior")  # those with a format of their own
+ABSENT = {  # names of POV-Ray's includes that ours have no use for, and why
+    ("ior.inc", "Ior"): "a helper that is undefined again", ("ior.inc", "Disp"): "a helper that is undefined again",
+    ("shapes.inc", "J"): "a loop's counter", ("shapes.inc", "K"): "a loop's counter",
+    ("meshmaker.inc", "VertexVectors"): "declared by files that it writes",
+    ("meshmaker.inc", "NormalVectors"): "declared by files that it writes",
+    ("meshmaker.inc", "UVVectors"): "declared by files that it writes",
+}
 
 
 def colours() -> str:
@@ -107,17 +113,19 @@ def fresh() -> int:
 
 
 def names() -> int:
-    """Every name must be declared, undefined again, or set by a macro of the file or of one it includes."""
+    """Every public name of POV-Ray's includes must be declared in the file of the same name, or set by a macro there."""
     missing = []
     rows = [line.split("\t") for line in (programs.ROOT / "tests/includes/names.tsv").read_text("utf-8").splitlines()[1:]]
     texts = {path.name: path.read_text("utf-8") for path in LIBRARY.iterdir() if path.suffix in (".inc", ".map")}
     for include, name, kind in rows:
         words = r"#\s*macro\s+" if kind == "macro" else r"#\s*(declare|local)\s+(deprecated\s+(once\s+)?(\"[^\"]*\"\s*)?)?"
         alone = texts.get(include, "")
+        if (include, name) in ABSENT:
+            continue
         if not re.search(rf"{words}{re.escape(name)}\b", alone):
             missing.append(f"{include}\t{name}\t{kind}")
     print("\n".join(missing))
-    print(f"{len(rows)} names, {len(missing)} missing")
+    print(f"{len(rows)} names, {len(ABSENT)} not needed, {len(missing)} missing")
     return 1 if missing else 0
 
 
