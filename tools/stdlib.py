@@ -11,6 +11,7 @@ import difflib
 import json
 import re
 import sys
+import textwrap
 from pathlib import Path
 
 import programs
@@ -18,6 +19,13 @@ import stdlib_text as text
 
 LIBRARY = programs.ROOT / "stdlib"
 DATA = LIBRARY / "data"
+FUNCTIONS = """The built-in functions of the language, and patterns as functions.
+/// The first are made for isosurfaces: they are zero on a surface. All take x, y, z and parameters p0, p1 …
+/// Notation: C(v) = min(10, max(-10, v)); hyp(a, b) = sqrt(a^2 + b^2); wrap(v) = v within 0 and 2 pi.
+/// rot(s, d, t): if s > 0 the curve is turned about y, x being sqrt(x^2 + z^2) - d, and first turned by
+/// t degrees. E: E1 = exp(-p1 (p0 x^2 + p0 y^2 + z^2)), E2 with p0 at x and z, E3 at y and z. hexcell: a and b are
+/// distances in a cell of a hexagonal tiling. sect(a, c, k, t): a superellipse of power 2/k turned by t
+/// degrees; k = 0 is a square. thread(v, s): a zigzag of period 2s."""
 ABSENT = {  # names of POV-Ray's includes that ours have no use for, and why
     ("ior.inc", "Ior"): "a helper that is undefined again", ("ior.inc", "Disp"): "a helper that is undefined again",
     ("shapes.inc", "J"): "a loop's counter", ("shapes.inc", "K"): "a loop's counter",
@@ -54,8 +62,52 @@ def indices() -> str:
     return "\n".join(lines)
 
 
+def scales() -> str:
+    """Colour maps of 32 steps; between the figures of the table, colours are interpolated as screens do (sRGB)."""
+    parts = []
+    for row in text.rows(DATA / "scales.tsv"):
+        figures = [[int(c[i:i + 2], 16) / 255 for i in (0, 2, 4)] for c in row["colours"].split()]
+        entries = []
+        for k in range(33):
+            at = k / 32 * (len(figures) - 1)
+            low = min(int(at), len(figures) - 2)
+            mixed = [a + (b - a) * (at - low) for a, b in zip(figures[low], figures[low + 1])]
+            entries.append(f"[{k / 32:g} srgb <{', '.join(f'{c:.4g}' for c in mixed)}>]")
+        source = f"\n/// Source: {row['source']}." if row["source"] else ""
+        parts.append(f"/// A {row['kind']} scale.{source}\n#declare Scale_{row['name']} = {text.block('color_map', entries)}\n")
+    return "\n".join(parts)
+
+
+def measured_metals() -> str:
+    lines = []
+    for row in text.rows(DATA / "reflectances.tsv"):
+        note = f" ({row['note']})" if row["note"] else ""
+        lines.append(f"/// Polished {row['name'].lower()}{note}.\n#declare TM_{row['name']} = texture {{\n"
+                     f"  pigment {{ rgb <{row['red']}, {row['green']}, {row['blue']}> }}\n"
+                     f"  finish {{ Metal_Finish(<{row['red']}, {row['green']}, {row['blue']}>, 0.002) }}\n}}")
+    return "\n".join(lines)
+
+
+def measured_glasses() -> str:
+    lines = []
+    for row in text.rows(DATA / "sellmeier.tsv"):
+        name, figures = row["name"], ", ".join(row[key] for key in ("b1", "b2", "b3", "c1", "c2", "c3"))
+        lines.append(f"/// Index of {name} at a wavelength in micrometres: {row['note']}.\n"
+                     f"#declare Index_{name} = function(W) {{ Sellmeier(W, {figures}) }}\n"
+                     f"/// The inside of {name}: index in yellow light (587.6 nm), dispersion from red (686.7 nm) to violet (430.8 nm).\n"
+                     f"#declare IM_{name} = interior {{ ior Index_{name}(0.5876) dispersion Index_{name}(0.4308) / Index_{name}(0.6867) }}")
+    return "\n".join(lines)
+
+
 def functions() -> str:
-    return "\n".join(f"#declare {row['name']} = function {{ internal({row['index']}) }}" for row in text.rows(DATA / "functions.tsv"))
+    """The internal functions by name, each with its formula."""
+    lines = []
+    for row in text.rows(DATA / "functions.tsv"):
+        steps = [part for part in (row["preamble"], row["intermediate_steps"]) if part and part != "-"]
+        where = f" where {'; '.join(steps)}" if steps else ""
+        formula = textwrap.wrap(f"{row['result']}{where}.", 96, break_long_words=False, break_on_hyphens=False)
+        lines += [*(f"/// {line}" for line in formula), f"#declare {row['name']} = function {{ internal({row['index']}) }}"]
+    return "\n".join(lines)
 
 
 def made() -> dict[str, str]:
@@ -65,8 +117,18 @@ def made() -> dict[str, str]:
                                    [], colours() + tail("colors"), "colors.inc"),
         "consts.inc": text.include("Constants: refractive indices, angles of view, kinds of maps and media.", "consts.tsv",
                                    "Consts_Inc_Temp", [], constants(), "consts.inc"),
-        "functions.inc": text.include("The built-in functions of the language, and patterns as functions.", "functions.tsv",
+        "functions.inc": text.include(FUNCTIONS, "functions.tsv",
                                       "Functions_Inc_Temp", [], functions() + tail("functions"), "function.inc"),
+        "color_scales.inc": text.include("Colour scales for scientific pictures. assumed_gamma must be set before.", "scales.tsv",
+                                         "Color_Scales_Inc_Temp", [], scales() + tail("scales"), "color_scales.inc"),
+        "metals_measured.inc": text.include(
+            "Metals that reflect as measured, for scenes in linear light.\n"
+            "/// Source: N. Hoffman, in Real-Time Rendering, 4th edition, 2018, table 9.2; from measured n and k.",
+            "reflectances.tsv", "Metals_Measured_Inc_Temp", [], tail("metals_measured").lstrip() + "\n\n" + measured_metals(),
+            "metals_measured.inc"),
+        "optics.inc": text.include(
+            "Glasses and crystals whose index is known for every colour of light.", "sellmeier.tsv", "Optics_Inc_Temp", [],
+            head("optics") + measured_glasses(), "optics.inc"),
         "ior.inc": text.include("Refractive indices and dispersions of glasses and gems.", "ior.tsv", "Ior_Inc_Temp", [],
                                 head("ior") + indices(), "ior.inc"),
     }

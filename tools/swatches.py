@@ -21,6 +21,7 @@ import stdlib
 import stdlib_text as text
 
 COLUMNS = 8
+PIXELS = 40  # size of a swatch on a drawn sheet
 LIMIT = 300.0  # seconds
 BEFORE = {"shapes2.inc": "shapes.inc", "shapesq.inc": "shapes.inc"}  # what POV-Ray's own need and do not include
 BEFORE |= dict.fromkeys(("skies.inc", "stones1.inc", "stones2.inc", "stoneold.inc", "stars.inc"), "colors.inc")
@@ -130,7 +131,7 @@ def draw(folder: Path) -> int:
     folder.mkdir(parents=True, exist_ok=True)
     failed = 0
     for title, (source, columns, rows) in scenes([]).items():
-        made = render(source, (columns, rows), 48)
+        made = render(source, (columns, rows), PIXELS)
         if made.picture is None:
             failed += 1
             print(f"{title}: {made.error}", flush=True)
