@@ -51,8 +51,19 @@ def joined(lines: list[str]) -> list[str]:
     return out
 
 
+def sheet(name: str, sheets: Path) -> list[str]:
+    """A picture of swatches and the table of their names; nothing if there is none."""
+    if not (sheets / f"{name}.png").exists():
+        return []
+    names = json.loads((sheets / "index.json").read_text("utf-8"))[name]
+    rows = [names[k:k + swatches.COLUMNS] for k in range(0, len(names), swatches.COLUMNS)]
+    return [f"![swatches](swatches/{name}.png)\n",
+            "\n".join(["|" + " |" * swatches.COLUMNS, "|" + "---|" * swatches.COLUMNS,
+                       *("| " + " | ".join(row + [""] * (swatches.COLUMNS - len(row))) + " |" for row in rows)]) + "\n"]
+
+
 def language_page(title: str, entries: list[dict]) -> str:
-    parts = [f"# {title}\n", "[Reference](README.md)\n"]
+    parts = [f"# {title}\n", "[Reference](README.md)\n", *sheet(title.lower(), FOLDER / "swatches")]
     return "\n".join(parts + [explained(entry) for entry in sorted(entries, key=lambda e: e["name"])])
 
 
@@ -61,12 +72,7 @@ def include_page(include: str, entries: list[dict], sheets: Path) -> str:
     parts = [f"# {include}\n", "[Reference](README.md)\n", "\n".join(head["text"]) + "\n" if head else "", f"`#include \"{include}\"`\n"]
     macros = [e for e in entries if e["kind"] == "macro"]
     plain = [e for e in entries if e["kind"] not in ("macro", "include")]
-    if (sheets / f"{include}.png").exists():
-        names = json.loads((sheets / "index.json").read_text("utf-8"))[include]
-        parts.append(f"![swatches](swatches/{include}.png)\n")
-        rows = [names[k:k + swatches.COLUMNS] for k in range(0, len(names), swatches.COLUMNS)]
-        parts.append("\n".join(["|" + " |" * swatches.COLUMNS, "|" + "---|" * swatches.COLUMNS,
-                                *("| " + " | ".join(row + [""] * (swatches.COLUMNS - len(row))) + " |" for row in rows)]) + "\n")
+    parts += sheet(include, sheets)
     parts += [f"![{p.stem}](swatches/{p.name})\n" for p in sorted(sheets.glob(f"{include}-*.png"))]
     if macros:
         parts += ["## Macros\n", *map(explained, macros)]

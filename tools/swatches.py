@@ -9,7 +9,9 @@ A sheet has eight swatches in a row, in the order of the include.
 """
 
 import argparse
+import functools
 import json
+import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -33,8 +35,39 @@ WAYS = {  # kind → how a swatch shows it
     "finish": "sphere {{ 0, 1 pigment {{ rgb <0.7, 0.5, 0.3> }} finish {{ {} }} }}",
     "interior": "sphere {{ 0, 1 pigment {{ rgbf 0.9 }} finish {{ specular 0.5 }} interior {{ {} fade_color rgb <0.3, 0.7, 0.5> }} }}",
     "material": "sphere {{ 0, 1 material {{ {} }} }}",
-    "object": "intersection {{ object {{ {} }} box {{ -1.7, 1.7 }} pigment {{ rgb <0.8, 0.7, 0.5> }} finish {{ specular 0.4 }} rotate <-20, 25, 0> scale 0.6 }}",
+    "object": "intersection {{ object {{ {} }} box {{ -1.7, 1.7 }} pigment {{ rgb <0.8, 0.7, 0.5> }} finish {{ specular 0.4 }} rotate <-20, 25, 0> scale 0.42 }}",
     "letter": "object {{ {} pigment {{ rgb <0.8, 0.7, 0.5> }} translate -2.5 * y scale 0.37 }}",
+}
+WAYS["pattern"] = "box {{ -1, 1 pigment {{ {} scale 0.5 }} finish {{ ambient 0.9 diffuse 0.1 }} }}"
+WAYS["shape"] = "object {{ {} pigment {{ rgb <0.8, 0.7, 0.5> }} finish {{ specular 0.4 }} rotate <-20, 25, 0> }}"
+PATTERNS = {  # what is written, where the name alone is not enough
+    name: "" for name in (
+        "agate", "boxed", "bozo", "brick", "bumps", "checker", "crackle", "cylindrical", "dents", "granite", "hexagon", "leopard",
+        "marble", "onion", "pavement", "planar", "quilted", "radial", "ripples", "spherical", "spotted", "square", "triangular",
+        "waves", "wood", "wrinkles")}
+PATTERNS |= {"cells": "cells", "gradient": "gradient x", "julia": "julia <0.353, 0.288>, 30", "mandel": "mandel 25",
+             "spiral1": "spiral1 3", "spiral2": "spiral2 3", "tiling": "tiling 5", "magnet": "magnet 1 mandel 25"}
+FLAT = ("agate", "brick", "checker", "granite", "marble", "wood", "hexagon", "square", "triangular")  # have colours of their own
+GREY = " color_map { [0 rgb 0.05] [1 rgb 0.95] }"
+SHAPES = {
+    "bicubic_patch": "bicubic_patch { type 1 u_steps 4 v_steps 4 " + ", ".join(
+        f"<{0.6 * x - 0.9}, {(0.8 if x in (1, 2) and y in (1, 2) else -0.3)}, {0.6 * y - 0.9}>" for y in range(4) for x in range(4)) + " }",
+    "blob": "blob { threshold 0.5 sphere { <-0.4, 0, 0>, 0.9, 1 } sphere { <0.4, 0.2, 0>, 0.8, 1 } }",
+    "box": "box { -0.65, 0.65 }", "cone": "cone { -0.8 * y, 0.8, 0.9 * y, 0.1 }", "cylinder": "cylinder { -0.8 * y, 0.8 * y, 0.6 }",
+    "disc": "disc { 0, y + z, 0.9, 0.3 }",
+    "isosurface": "isosurface { function { x*x + y*y + z*z - 0.7 + 0.2*sin(12*x)*sin(12*y)*sin(12*z) } contained_by { box { -1, 1 } } max_gradient 5 }",
+    "julia_fractal": "julia_fractal { <-0.083, 0, -0.83, -0.025> quaternion sqr max_iteration 8 precision 30 }",
+    "lathe": "lathe { quadratic_spline 6, <0, -0.9>, <0.3, -0.9>, <0.6, -0.4>, <0.2, 0.2>, <0.4, 0.8>, <0.5, 0.9> }",
+    "mesh": "mesh { triangle { <-0.9, -0.6, 0>, <0.9, -0.6, 0>, <0, 0.9, 0> } triangle { <-0.9, -0.6, 0>, <0.9, -0.6, 0>, <0, -0.3, -0.9> } }",
+    "ovus": "ovus { 0.7, 0.35 translate -0.3 * y }",
+    "polygon": "polygon { 6, <-0.8, -0.6>, <0.8, -0.6>, <0.8, 0.6>, <0, 0.1>, <-0.8, 0.6>, <-0.8, -0.6> }",
+    "prism": "prism { -0.4, 0.4, 6, <-0.8, -0.6>, <0.8, -0.6>, <0.8, 0.6>, <0, 0.1>, <-0.8, 0.6>, <-0.8, -0.6> }",
+    "quadric": "intersection { quadric { <1, -0.5, 1>, 0, 0, -0.15 } box { -0.9, 0.9 } }",
+    "sor": "sor { 6, <0.3, -1.1>, <0.5, -0.9>, <0.8, -0.3>, <0.3, 0.4>, <0.5, 0.9>, <0.6, 1.1> }",
+    "sphere": "sphere { 0, 0.9 }",
+    "sphere_sweep": "sphere_sweep { cubic_spline 6, <-1.2, -1, 0>, 0.2, <-0.7, -0.6, 0>, 0.3, <0.5, -0.3, 0.3>, 0.2, <-0.3, 0.4, 0>, 0.25, <0.7, 0.6, 0>, 0.15, <1, 1, 0>, 0.1 }",
+    "superellipsoid": "superellipsoid { <0.3, 0.3> scale 0.8 }", "torus": "torus { 0.65, 0.25 rotate -30 * x }",
+    "triangle": "triangle { <-0.9, -0.7, 0>, <0.9, -0.5, 0>, <0, 0.9, 0> }",
 }
 STAGE = """#version 3.7;
 global_settings {{ assumed_gamma 1 max_trace_level 6 }}
@@ -60,6 +93,34 @@ def listed() -> dict[str, list[tuple[str, str]]]:
     return {include: names for include, names in found.items() if names}
 
 
+def new_ones() -> dict[str, list[tuple[str, str]]]:
+    """What POV-Ray's includes and ours do not have in common: modules of our own, and the language itself."""
+    rows = text.rows
+    return {
+        "color_scales.inc": [(f"Scale_{row['name']}", "color_map") for row in rows(stdlib.DATA / "scales.tsv")],
+        "metals_measured.inc": [(f"TM_{row['name']}", "texture") for row in rows(stdlib.DATA / "reflectances.tsv")],
+        "optics.inc": [(f"IM_{row['name']}", "interior") for row in rows(stdlib.DATA / "sellmeier.tsv")],
+        "patterns": [(name, "pattern") for name in sorted(PATTERNS) if name in registered("pattern")],
+        "objects": [(name, "shape") for name in sorted(SHAPES) if name in registered("object")],
+    }
+
+
+@functools.cache
+def registered(kind: str) -> set[str]:
+    """The patterns or objects that durer has."""
+    done = subprocess.run([str(programs.durer_path()), "doc", "--list", kind], capture_output=True, text=True, check=True)
+    return set(done.stdout.split()[1:])
+
+
+def written(name: str, kind: str) -> str:
+    """What stands in a swatch's scene for a name."""
+    if kind == "shape":
+        return SHAPES[name]
+    if kind == "pattern":
+        return (PATTERNS[name] or name) + ("" if name in FLAT else GREY)
+    return name
+
+
 def _kind(stem: str, declaration: dict) -> str:
     if declaration["name"].startswith("O_Cloud"):
         return ""  # as large as the sky
@@ -72,11 +133,13 @@ def sheet(include: str, names: list[tuple[str, str]]) -> str:
     rows = (len(shown) + COLUMNS - 1) // COLUMNS
     first = BEFORE.get(include, "")
     scene = STAGE.format(include=first or include, columns=COLUMNS, rows=rows)
+    if include in ("patterns", "objects"):
+        scene = scene.replace(f'#include "{include}"\n', "")
     if first:
         scene = scene.replace("camera {", f'#include "{include}"\ncamera {{', 1)
     for k, (name, kind) in enumerate(shown):
         place = f"<{k % COLUMNS - (COLUMNS - 1) / 2}, {(rows - 1) / 2 - k // COLUMNS}, 0>"
-        scene += f"object {{ {WAYS[kind].format(name)} scale 0.45 translate {place} }}\n"
+        scene += f"object {{ {WAYS[kind].format(written(name, kind))} scale 0.45 translate {place} }}\n"
     return scene
 
 
@@ -86,10 +149,10 @@ def sky(include: str, name: str) -> str:
             "light_source { <-50, 80, -60> rgb 1 }\nplane { y, 0 pigment { rgb <0.3, 0.35, 0.25> } }\n")
 
 
-def scenes(wanted: list[str]) -> dict[str, tuple[str, int, int]]:
+def scenes(of: dict[str, list[tuple[str, str]]], wanted: list[str]) -> dict[str, tuple[str, int, int]]:
     """Title → scene, and its size in swatches."""
     found = {}
-    for include, names in listed().items():
+    for include, names in of.items():
         if wanted and include not in wanted:
             continue
         shown = sum(kind != "sky_sphere" for _, kind in names)
@@ -111,7 +174,7 @@ def render(source: str, size: tuple[int, int], pixels: int, with_oracle: bool = 
 
 def compare(wanted: list[str], with_oracle: bool) -> int:
     differ = 0
-    todo = scenes(wanted)
+    todo = scenes(listed(), wanted)
     for title, (source, columns, rows) in todo.items():
         ours = render(source, (columns, rows), 24)
         other = render(source, (columns, rows), 24, with_oracle, str(programs.INCLUDES))
@@ -129,15 +192,16 @@ def compare(wanted: list[str], with_oracle: bool) -> int:
 def draw(folder: Path) -> int:
     """The sheets as PNG files, and which name is where in them."""
     folder.mkdir(parents=True, exist_ok=True)
+    everything = listed() | new_ones()
     failed = 0
-    for title, (source, columns, rows) in scenes([]).items():
+    for title, (source, columns, rows) in scenes(everything, []).items():
         made = render(source, (columns, rows), PIXELS)
         if made.picture is None:
             failed += 1
             print(f"{title}: {made.error}", flush=True)
             continue
         (folder / f"{title.replace(':', '-')}.png").write_bytes(png.encode(made.picture))
-    index = {include: [name for name, kind in names if kind != "sky_sphere"] for include, names in listed().items()}
+    index = {include: [name for name, kind in names if kind != "sky_sphere"] for include, names in everything.items()}
     (folder / "index.json").write_text(json.dumps(index, indent=1) + "\n", "utf-8")
     return 1 if failed else 0
 

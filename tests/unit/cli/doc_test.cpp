@@ -2,7 +2,6 @@
 
 #include <set>
 
-#include "grammar/vocabulary.h"
 #include "tests/support/catch.h"
 
 using namespace durer;
