@@ -4,6 +4,7 @@
     tools/stdlib.py generate       write them
     tools/stdlib.py fresh          fail if one is not what its table says
     tools/stdlib.py names          fail if a name of tests/includes/names.tsv is missing in stdlib
+    tools/stdlib.py cases          fail if a macro that has a docstring has no case in tests/language
 """
 
 import argparse
@@ -191,9 +192,22 @@ def names() -> int:
     return 1 if missing else 0
 
 
+def cases() -> int:
+    """A macro has a case if one of tests/language/stdlib-* calls it."""
+    text_of_cases = "\n".join(path.read_text("utf-8") for path in (programs.ROOT / "tests" / "language").glob("stdlib-*"))
+    found, missing = 0, []
+    for path in sorted(LIBRARY.glob("*.inc")):
+        for name in re.findall(r"^///.*\n#macro (\w+)", path.read_text("utf-8"), re.MULTILINE):
+            found += 1
+            if not name.startswith("ARRAYS_Temp") and not re.search(rf"\b{name}\b", text_of_cases):
+                missing.append(f"{path.name}: {name} has no case")
+    print("\n".join(missing) + f"\n{found} macros, {len(missing)} without a case" if missing else f"{found} macros have cases")
+    return 1 if missing else 0
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    actions = {"generate": generate, "fresh": fresh, "names": names}
+    actions = {"generate": generate, "fresh": fresh, "names": names, "cases": cases}
     parser.add_argument("action", choices=actions)
     return actions[parser.parse_args().action]()
 

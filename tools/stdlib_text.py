@@ -167,11 +167,13 @@ def include(title: str, source: str, guard: str, requires: list[str], body: str,
         f"// Made from stdlib/data/{source} by tools/stdlib.py: change that, not this.",
         f"#ifndef ({guard})",
         f"#declare {guard} = version;",
+        "#if (version < 3.5) #version 3.5; #end",
         f'#ifdef (View_POV_Include_Stack) #debug "including {name}\\n" #end',
         *(f'#include "{file}"' for file in requires),
         "",
         body.rstrip(),
         "",
+        f"#if ({guard} < 3.5) #version {guard}; #end",
         f"#end  // {guard}",
         ""])
 
