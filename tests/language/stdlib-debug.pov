@@ -31,7 +31,7 @@ Error((1 > 2), "no\n") #debug "on\n"
 //= Error ends the run
 Error((2 > 1), "over\n")
 // before
-// error: D0304 at debug.inc:53:5
+// error: D0304 at debug.inc:54:5
 
 //= Debug_Inc_Stack tells what is included
 Debug_Inc_Stack()
