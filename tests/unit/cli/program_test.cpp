@@ -101,7 +101,7 @@ TEST_CASE("program: the standard library is found, and explained", "[cli][progra
   const test::Folder folder;
   std::string path = run("--print-stdlib-path").out;
   while (!path.empty() && path.back() == '\n') path.pop_back();
-  CHECK(std::filesystem::exists(path + "/colors.inc"));
+  CHECK(fs::exists(path + "/colors.inc"));
   CHECK(has(run("doc Round_Box").out, "macro of shapes.inc"));
   CHECK(has(run("doc torus agate '#while'").out, "directive"));
   const Run wrong = run("doc Round_Bax");
