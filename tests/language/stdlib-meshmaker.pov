@@ -95,11 +95,12 @@ global_settings { assumed_gamma 1 }
 #declare S3 = spline { cubic_spline -0.2, <0.5,0,2> 0, <0.6,0.5,2.1> 0.3, <1,0.5,2.5> 0.7, <0.4,1,3> 1, <0.8,1.5,2.4> 1.2, <1,2,2> } #declare S4 = spline { linear_spline 0, <0.5,0.5,3> 1, <0.6,1.5,3.1> }
 #declare A = array[4] { S1, S2, S3, S4 }
 #declare O = object { MSM(A, 6, "Cubic", 8, "") }
-Probe(O, <-1.1,-1.2,-1.3>, <1.2,1.3,1.1>, 5)
-#debug concat("= ",str(NumFaces, 0, 9), "\n")
-// before
-// expect: =
-// error: D0301 at meshmaker.inc:223:23
+Probe(O, <0.413,0.022,1.117>, <1.174,1.488,2.986>, 5)
+// expect: = . 0.421 0.347 . 0.250 . . . . .
+// expect: = . . 0.891 0.706 0.975 . 1.007 . 0.725 0.237
+// expect: = . . . 0.308 0.858 0.367 . 0.046 . 0.245
+// expect: = . . . . . 0.291 . 0.044 . 0.248
+// expect: = . . . . . 0.235 . 0.043 . .
 
 //= FromU, ToU, FromV, ToV
 // chatty
