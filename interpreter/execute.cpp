@@ -215,7 +215,7 @@ Interpreter::Flow Interpreter::run(const ast::Tree& tree, const ast::Directive& 
   if (std::abs(step) < epsilon) {
     fail(Code::out_of_range, d.span, "the step of `#for` is zero", "give a step other than 0");
   }
-  check_may_change(env_.find(node.name), d.span);
+  check_may_change(env_.find(node.name), d.span, true);
   Slot& slot = env_.for_local(node.name);
   Environment::value_of(&slot)->set(Num(start));
   if (!(step > 0 ? start < end + epsilon : start > end - epsilon)) return Flow::normal;

@@ -264,7 +264,7 @@ class Interpreter {
   [[nodiscard]] bool starts_dictionary(const Token& token) const;
   Value read_dictionary();
   void assign(const ast::Tree& tree, const ast::Declare& node, Value value, std::uint32_t scope,
-              Slot* existing);
+              Slot* existing, const Subscripts* at = nullptr);
   void assign_place(const ast::Tree& tree, const ast::Declare& node, Value value);
   void assign_target(const ast::Tree& tree, const ast::Tuple& node, ast::ExprId target,
                      Value value);
@@ -312,6 +312,7 @@ class Interpreter {
 
   // ---- include.cpp: files
   const ast::Tree& load(const std::string& name, Span span);
+  void forget_text(const std::string& path);
   void include(const std::string& name, Span span);
 
   /// Takes back what is drawn from random streams while it lives, unless it is to be kept: an
@@ -399,7 +400,8 @@ class Interpreter {
   class FunctionReader;
   friend class FunctionReader;
   Value read_function(Span span);
-  void check_may_change(Slot* slot, Span span);
+  void check_may_change(Slot* slot, Span span, bool local = false);
+  [[nodiscard]] bool in_library(Span span) const;
   [[noreturn]] void function_stays(SymbolId name, Span span);
   std::vector<SymbolId> read_parameters();
   functions::FunctionRef read_scene_function(std::span<const SymbolId> parameters);
