@@ -180,7 +180,7 @@ void Interpreter::read_density_body(scene::Pigment& d, Token::Kind last) {
     bad_setting(t, "density", {}, density_settings);
   }
   next();
-  check_entries(d.pattern, d.entries.empty(), "density_map");
+  check_pattern(d.pattern, d.entries.empty(), "density_map");
 }
 
 void Interpreter::start_density_pattern(scene::Pigment& d, std::uint32_t index, const Token& word) {
