@@ -165,4 +165,4 @@ sphere { 0, 1 hollow interior { @ } } #debug "fine\n"
 //= a sphere has no @
 sphere { 0, 1 @ }
 // each: sturm hierarchy
-// beyond
+// error: D0214 at 1:15
