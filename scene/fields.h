@@ -75,6 +75,7 @@ struct Fields<Object> {
       field("no_radiosity", &Object::no_radiosity),
       field("double_illuminate", &Object::double_illuminate),
       field("sturm", &Object::sturm),
+      field("kept_whole", &Object::kept_whole),
       field("hollow", &Object::hollow),
       field("uv_mapping", &Object::uv_mapping),
       field("type", &Object::type, Role::primitive),

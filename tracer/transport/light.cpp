@@ -78,7 +78,7 @@ vec3 Tracer::walk_shadow(const Incidence& in, dvec3 p, Containment inside) {
     }
     light *= shadow_factor(hit, in.l, inside);
     if (dark(light)) return vec3(0.0F);
-    inside.toggle(scene_->geometry.leaves()[hit.leaf].interior);
+    inside.toggle(hit.interior);
     ray.o = hit.p;
     left -= hit.t;
   }

@@ -51,7 +51,7 @@ class Definition {
     if (o.kind == NodeKind::primitive) {
       const PrimitiveType& type = *primitive_types()[o.type];
       node->stores = type.make_stores();
-      node->ref = *type.place(node->stores, o.args, inner, inverted);
+      node->ref = *place_object(type, node->stores, o, {}, inner, inverted);
       if (counts) node->leaf = leaves_++;
     } else {
       const bool cuts = o.kind == NodeKind::intersection || o.kind == NodeKind::difference;
@@ -136,10 +136,9 @@ ObjectId random_tree(SceneBuilder& b, Random& random, int depth) {
     constexpr NodeKind kinds[] = {NodeKind::union_, NodeKind::merge, NodeKind::intersection,
                                   NodeKind::difference};
     o.kind = kinds[random() % 4];
-    const std::size_t children = 2 + random() % 3;
-    for (std::size_t i = 0; i < children; ++i) {
-      o.children.push_back(random_tree(b, random, depth - 1));
-    }
+    std::vector<ObjectId> children(2 + random() % 3);
+    for (ObjectId& child : children) child = random_tree(b, random, depth - 1);
+    o.children = children;
     o.transform = Transform::rotate_deg(point_in_cube(random, 180));
   }
   o.inverse = random() % 6 == 0;
