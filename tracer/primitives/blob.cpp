@@ -84,7 +84,8 @@ struct Blob {
     LineBuffers& buffers = line_buffers();
     std::vector<BlobStretch>& stretches = buffers.stretches;
     std::vector<const BlobStretch*>& active = buffers.active;
-    data->tree.along(ray, t_from, t_to, [&](std::uint32_t i) {
+    // Not up to t_to: where pieces end, and so the last bits of a root, must not depend on it.
+    data->tree.along(ray, t_from, no_hit_depth, [&](std::uint32_t i) {
       data->components[i].append_stretches(ray, stretches);
     });
     std::sort(stretches.begin(), stretches.end(),
