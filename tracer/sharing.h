@@ -13,7 +13,7 @@ namespace durer::tracer {
 /// that holds everything, so little or rare contents are copied instead. The picture is the same.
 struct SharingLimits {
   double leaves = 16;     // least number of primitives in the contents …
-  double saved = 20'000;  // … and of primitives that need not be copied
+  double saved = 200'000;  // … and of primitives that need not be copied, some 100 MB of them
 };
 
 /// Contents are lists of children; objects that are copies of one another have the same list.

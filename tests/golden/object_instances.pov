@@ -46,3 +46,6 @@ union {
   #end
   pigment { leopard scale .2 color_map { [0 rgb x] [1 rgb 1] } }
 }
+// Many more where nobody looks: what is copied less often is not worth keeping once.
+#for (I, 1, 320) object { Row translate <0, 0, -20 - I> } #end
+#for (I, 1, 12500) object { Thing translate <mod(I, 100) - 50, 60, -div(I, 100) - 20> no_shadow } #end
