@@ -802,6 +802,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   };
   std::map<FinishKey, KnownFinish> finishes_;
   scene::TextureId plain_base_ = scene::none;  // the last one that was found to be plain
+  std::vector<double> operands_;  // of the primitive that is being read the quick way
   scene::TextureId own_texture_ = scene::none;  // made by the object statement being read
   std::shared_ptr<const CameraSpec> default_camera_;
   float default_importance_ = 1;  // of objects, for radiosity

@@ -73,6 +73,11 @@ bool same(const std::vector<T>& a, const std::vector<T>& b) {
   return std::ranges::equal(a, b, [](const T& x, const T& y) { return same(x, y); });
 }
 
+template <typename T>
+bool same(const SharedList<T>& a, const SharedList<T>& b) {
+  return a == b;
+}
+
 bool same(const SharedTransform& a, const SharedTransform& b) {
   return a.get().forward == b.get().forward;
 }
@@ -246,6 +251,10 @@ class Dumper {
     out_.close_list();
   }
   template <typename T>
+  void value(std::string_view name, const SharedList<T>& list) {
+    value(name, std::vector<T>(list.begin(), list.end()));
+  }
+  template <typename T>
   void value(std::string_view name, const std::vector<T>& list) {
     if constexpr (std::is_arithmetic_v<T>) {
       std::vector<std::string> texts;
@@ -322,7 +331,7 @@ class Dumper {
   }
 
   /// By name; what an open-ended type takes beyond its parameters is called `more`.
-  void operands(const TypeInfo* type, const std::vector<double>& args) {
+  void operands(const TypeInfo* type, std::span<const double> args) {
     out_.open_struct("args");
     std::size_t at = 0;
     const auto take = [&](std::string_view name, std::size_t count) {

@@ -78,6 +78,7 @@ struct Fields<Object> {
       field("double_illuminate", &Object::double_illuminate),
       field("sturm", &Object::sturm),
       field("importance", &Object::importance),
+      field("kept_whole", &Object::kept_whole),
       field("hollow", &Object::hollow),
       field("uv_mapping", &Object::uv_mapping),
       field("global_lights", &Object::global_lights),

@@ -176,6 +176,8 @@ struct Interior {
 struct TextureUse {
   TextureId texture = none;
   SharedTransform transform;  // texture space → space around the object that carries it
+
+  friend bool operator==(const TextureUse&, const TextureUse&) = default;
 };
 
 }  // namespace durer::scene

@@ -7,6 +7,7 @@
 
 #include "tracer/compile.h"
 #include "tracer/geometry.h"
+#include "tracer/placements.h"
 #include "tracer/lights/light.h"
 #include "tracer/quality.h"
 #include "tracer/shading/atmosphere.h"
@@ -27,6 +28,9 @@ struct SurfaceProgram {
   bool has_parts = false;   // single parts of the surface have textures of their own:
   std::uint32_t first_part = 0;  // index into CompiledScene::part_textures
 };
+
+/// Stands for what shared contents receive from outside: see Placement::surface.
+inline constexpr ProgramId program_of_placement = scene::none - 1;
 
 struct CompiledScene {
   CompiledScene(const scene::Scene& s, Geometry g, Quality q)

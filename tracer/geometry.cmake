@@ -6,6 +6,8 @@ add_library(durer_geometry STATIC
   geometry.cpp
   geometry_build.cpp
   object_queries.cpp
+  placements.cpp
+  sharing.cpp
   accel/box_tree.cpp
   accel/embree.cpp
   accel/linear.cpp

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <type_traits>
 #include <vector>
 
 #include "base/bounds.h"
@@ -101,12 +103,20 @@ void occluded_callback(const RTCOccludedFunctionNArguments* args) {
   RTCRayN_tfar(args->ray, 1, 0) = -float_infinity;
 }
 
+/// A reference to the device that all hierarchies share.
+RTCDevice shared_device() {
+  static const std::unique_ptr<std::remove_pointer_t<RTCDevice>, decltype(&rtcReleaseDevice)> device(
+      rtcNewDevice(nullptr), &rtcReleaseDevice);
+  rtcRetainDevice(device.get());
+  return device.get();
+}
+
 class EmbreeAccel final : public Accel {
  public:
   explicit EmbreeAccel(std::span<const Targets* const> all) {
     collect(all);
     if (!few_.empty() || region_.box.empty()) return;
-    device_ = rtcNewDevice(nullptr);
+    device_ = shared_device();
     scene_ = rtcNewScene(device_);
     members_.reserve(all.size());
     for (const Targets* targets : all) {

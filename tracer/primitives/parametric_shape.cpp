@@ -162,6 +162,8 @@ class PatchSearch {
   template <typename Take>
   void run(Take take) {
     const scene::Parametric& s = data_.surface();
+    double entry = 0;
+    if (!meets(data_.root().box, entry)) return;
     walk(data_.root(), (s.from + s.to) * 0.5, (s.to - s.from) * 0.5, 0, take);
   }
 

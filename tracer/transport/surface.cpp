@@ -111,13 +111,22 @@ Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
 // of the patterned textures around it (textures §13.1, §13.5).
 dvec3 Tracer::bend(const View& view, const LayerProgram& layer, SurfaceView& seen) const {
   dvec3 n = view.g;
+  for (std::uint32_t i = 0; i < view.places; ++i) {
+    n = glm::normalize(view.spaces[i]->forward.covector(n));
+  }
   for (std::uint32_t i = 0; i < view.frame_count; ++i) n = view.frames[i]->enter(n);
   n = scene_->textures.normals().at(layer.normal, view.q, n, &seen);
-  seen.n = n;
+  const auto back_to_world = [&view](dvec3 inner) {
+    for (std::uint32_t i = view.places; i-- > 0;) {
+      inner = glm::normalize(view.spaces[i]->backward.covector(inner));
+    }
+    return inner;
+  };
+  seen.n = view.frame_count == 0 ? back_to_world(n) : n;
   // Of unit length here, but not after a patterned texture that keeps lengths: as the oracle has it.
   n = glm::normalize(n);
   for (std::uint32_t i = view.frame_count; i-- > 0;) n = view.frames[i]->leave(n);
-  return n;
+  return back_to_world(n);
 }
 
 vec3 Tracer::remember_reflection(const View& view, const Path& path, const LayerPoint& layer,

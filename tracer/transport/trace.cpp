@@ -113,8 +113,8 @@ Tracer::Look Tracer::look(const Hit& hit, dvec3 d) const {
   view.p = hit.p;
   view.d = d;
   view.g = from_inside ? -hit.n : hit.n;
-  view.texture = &scene_->textures.program(from_inside ? s.inside : s.outside);
-  view.interior = leaf.interior;
+  view.texture = &scene_->textures.program(texture_at(hit, s, from_inside, view.places));
+  view.interior = hit.interior;
   view.lamps = s.lamps;
   view.double_illuminate = s.double_illuminate;
   view.depth = hit.t;
@@ -126,13 +126,31 @@ Tracer::Look Tracer::look(const Hit& hit, dvec3 d) const {
   return found;
 }
 
+/// Which texture of a surface is seen, and the space it lies in: that of the outermost `places`
+/// placements of the hit.
+ProgramId Tracer::texture_at(const Hit& hit, const SurfaceProgram& surface, bool from_inside,
+                             std::uint32_t& places) const {
+  places = hit.depth;
+  ProgramId id = from_inside ? surface.inside : surface.outside;
+  while (id == program_of_placement) {
+    const Placement& placement = scene_->geometry.placements()[hit.path[--places]];
+    const SurfaceProgram& outer = scene_->surfaces[placement.surface];
+    id = from_inside ? outer.inside : outer.outside;
+  }
+  return id;
+}
+
 /// Puts a texture of a part on, if there is one, and finds the point where to look it up.
 void Tracer::dress(View& view, const Look& look, const Hit& hit, std::uint32_t texture) const {
   const SurfaceProgram& s = *look.surface;
   if (texture != scene::none) {
     view.texture = &scene_->textures.program(scene_->part_textures[s.first_part + texture]);
+    view.places = hit.depth;
   }
-  view.q = view.p;
+  view.q = hit.at(view.places);
+  for (std::uint32_t i = 0; i < view.places; ++i) {
+    view.spaces[i] = &scene_->geometry.placements()[hit.path[i]].to_outer;
+  }
   if (!s.uv_mapping && !view.texture->uses_uv) return;
   const dvec2 uv = Geometry::uv(hit);
   view.uv = {uv.x, uv.y, 0};

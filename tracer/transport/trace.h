@@ -121,6 +121,9 @@ class Tracer {
     /// Spaces of the patterned textures around `texture`, outermost first.
     std::uint32_t frame_count = 0;
     std::array<const NormalFrame*, max_texture_depth> frames;
+    /// Spaces of the placements around the texture, outermost first; `q` lies in the last one.
+    std::uint32_t places = 0;
+    std::array<const Transform*, max_placement_depth> spaces;
     bool double_illuminate = false;
     bool gathering = false;  // seen by a ray that gathers indirect light
     double depth = 0;  // from the ray's origin
@@ -170,6 +173,8 @@ class Tracer {
   [[nodiscard]] Radiance follow(Path path, bool straight);
   [[nodiscard]] Radiance blend(const Look& look, const Hit& hit, const Path& path);
   [[nodiscard]] Look look(const Hit& hit, dvec3 d) const;
+  [[nodiscard]] ProgramId texture_at(const Hit& hit, const SurfaceProgram& surface,
+                                     bool from_inside, std::uint32_t& places) const;
   void dress(View& view, const Look& look, const Hit& hit, std::uint32_t texture) const;
   [[nodiscard]] Radiance shown(const View& view, const Path& path);
   void narrow(View& view) const;

@@ -108,14 +108,14 @@ TEST_CASE("flatten: children without an interior share their parent's", "[tracer
   b.show(ball());
   const Flat f = flat(b);
   REQUIRE(f.leaves.size() == 5);
-  CHECK(f.leaves[0].interior == f.leaves[2].interior);
-  CHECK(f.leaves[1].interior != f.leaves[0].interior);
-  CHECK(f.leaves[3].interior != f.leaves[1].interior);  // the same block, another instance
-  CHECK(f.leaves[4].interior != f.leaves[0].interior);
-  CHECK(f.interiors[f.leaves[1].interior].interior == 1);
-  CHECK(f.interiors[f.leaves[0].interior].interior == scene::none);
-  CHECK(f.interiors[f.leaves[1].interior].hollow);
-  CHECK_FALSE(f.interiors[f.leaves[4].interior].hollow);
+  CHECK(f.leaves[0].inner_interior == f.leaves[2].inner_interior);
+  CHECK(f.leaves[1].inner_interior != f.leaves[0].inner_interior);
+  CHECK(f.leaves[3].inner_interior != f.leaves[1].inner_interior);  // the same block, another instance
+  CHECK(f.leaves[4].inner_interior != f.leaves[0].inner_interior);
+  CHECK(f.world.interiors[f.leaves[1].inner_interior].interior == 1);
+  CHECK(f.world.interiors[f.leaves[0].inner_interior].interior == scene::none);
+  CHECK(f.world.interiors[f.leaves[1].inner_interior].hollow);
+  CHECK_FALSE(f.world.interiors[f.leaves[4].inner_interior].hollow);
 }
 
 TEST_CASE("flatten: lights move with the objects that hold them", "[tracer][flatten]") {
@@ -136,10 +136,10 @@ TEST_CASE("flatten: lights move with the objects that hold them", "[tracer][flat
   b.show(lone);
   b.show(pair);
   const Flat f = flat(b);
-  REQUIRE(f.lights.size() == 3);
-  CHECK(f.lights[0].point_at == dvec3(0, 0, 2));
-  CHECK(f.lights[1].position == dvec3(3, 0, 0));
-  CHECK(f.lights[2].position == dvec3(3, 0, 0));
+  REQUIRE(f.world.lights.size() == 3);
+  CHECK(f.world.lights[0].point_at == dvec3(0, 0, 2));
+  CHECK(f.world.lights[1].position == dvec3(3, 0, 0));
+  CHECK(f.world.lights[2].position == dvec3(3, 0, 0));
   CHECK(f.leaves.size() == 1);
 }
 
