@@ -287,23 +287,28 @@ class Flattener {
       flat_.projections.push_back({id, light.projected_through, to_world});
     }
     flat_.lights.push_back(light);
-    // A group's own lamps light the objects in it, and those of the groups in it.
+    const bool grouped = around.direct_of != none;
     for (LampSet& set : lamp_sets_) {
-      const bool lit = around.direct_of == none
-                           ? set.global
-                           : std::find(set.groups.begin(), set.groups.end(), around.direct_of) !=
-                                 set.groups.end();
-      if (lit) (around.direct_of == none ? set.outside : set.inside).push_back(id);
+      if (grouped && set.group == around.direct_of) set.inside.push_back(id);
+      if (!grouped && set.global) set.outside.push_back(id);
     }
   }
 
+  // The outermost group tells whether lamps outside of it count; of groups inside of each other, the
+  // innermost that has lamps of its own lights what is in it.
   void enter_group(const Object& group, Context& own) {
     LampSet set = lamp_sets_[own.lamps];
+    if (own.lamps == 0) {
+      set.global = group.global_lights.value_or(false);
+      if (!set.global) set.outside.clear();
+    }
     own.direct_of = groups_++;
-    set.groups.push_back(own.direct_of);
-    set.global = group.global_lights.value_or(own.lamps != 0 && set.global);
-    if (!set.global) set.outside.clear();
-    if (set.global && set.outside.empty()) set.outside = lamp_sets_[0].outside;
+    if (std::any_of(group.children.begin(), group.children.end(), [&](scene::ObjectId id) {
+          return scene_.objects[id].kind == NodeKind::light;
+        })) {
+      set.group = own.direct_of;
+      set.inside.clear();
+    }
     own.lamps = static_cast<std::uint32_t>(lamp_sets_.size());
     lamp_sets_.push_back(std::move(set));
   }
@@ -354,8 +359,8 @@ class Flattener {
   SurfaceTable surfaces_;
   /// Who lights an object: what it inherits from the light groups around it. Set 0: no group.
   struct LampSet {
-    std::vector<std::uint32_t> groups;   // around the object
-    bool global = true;                  // lamps outside of any group count
+    std::uint32_t group = none;          // whose lamps light it
+    bool global = true;                  // lamps outside of any group do, too
     std::vector<std::uint32_t> outside;  // lamps: those of the scene …
     std::vector<std::uint32_t> inside;   // … then those of groups
   };

@@ -13,13 +13,15 @@ vec3 Tracer::illuminate(const View& view, const Path& path, const LayerPoint& la
   for (const std::uint32_t i : scene_->geometry.lamp_sets()[view.lamps]) {
     const Light& light = scene_->lights[i];
     LampAtPoint& lamp = scratch_->lamps[i];
-    if (first_lit) lamp = {incidence(light, view.p), vec3(0.0F), false};
-    if (dark(lamp.in.colour)) continue;
     const bool spread = light.has_area && light.area.illumination;
+    if (first_lit) {
+      lamp = {incidence(light, view.p), vec3(0.0F), false};
+      if (spread) lamp.in.colour = light.colour;  // its samples are weakened one by one
+    }
+    if (dark(lamp.in.colour)) continue;
     const bool hidden = is_behind(view, layer, lamp.in.l);
     if (hidden && !spread && layer.finish->diffuse_back == 0) continue;
     if (!lamp.shadow_known) {
-      if (spread) lamp.in.colour = light.colour;  // its samples are weakened one by one
       lamp.shadowed = shadowed(light, lamp.in, view.p, path.inside);
       lamp.shadow_known = true;
     }
