@@ -111,13 +111,8 @@ class Flattener {
     flat_.world = std::move(world_);
     for (const LampSet& set : lamp_sets_) {
       flat_.lamp_sets.push_back(set.outside);
-      // Of the groups around an object, the innermost that has lamps lights it.
-      for (std::size_t i = set.groups.size(); i-- > 0;) {
-        const std::vector<std::uint32_t>& own = group_lamps_[set.groups[i]];
-        if (own.empty()) continue;
-        flat_.lamp_sets.back().insert(flat_.lamp_sets.back().end(), own.begin(), own.end());
-        break;
-      }
+      flat_.lamp_sets.back().insert(flat_.lamp_sets.back().end(), set.inside.begin(),
+                                    set.inside.end());
     }
     return std::move(flat_);
   }
@@ -339,23 +334,28 @@ class Flattener {
       flat_.projections.push_back({id, light.projected_through, to_world});
     }
     flat_.lights.push_back(light);
-    if (around.direct_of != none) {
-      group_lamps_[around.direct_of].push_back(id);
-      return;
-    }
+    const bool grouped = around.direct_of != none;
     for (LampSet& set : lamp_sets_) {
-      if (set.global) set.outside.push_back(id);
+      if (grouped && set.group == around.direct_of) set.inside.push_back(id);
+      if (!grouped && set.global) set.outside.push_back(id);
     }
   }
 
+  // The outermost group tells whether lamps outside of it count; of groups inside of each other, the
+  // innermost that has lamps of its own lights what is in it.
   void enter_group(const Object& group, Context& own) {
     LampSet set = lamp_sets_[own.lamps];
-    own.direct_of = static_cast<std::uint32_t>(group_lamps_.size());
-    group_lamps_.emplace_back();
-    set.groups.push_back(own.direct_of);
-    set.global = group.global_lights.value_or(own.lamps != 0 && set.global);
-    if (!set.global) set.outside.clear();
-    if (set.global && set.outside.empty()) set.outside = lamp_sets_[0].outside;
+    if (own.lamps == 0) {
+      set.global = group.global_lights.value_or(false);
+      if (!set.global) set.outside.clear();
+    }
+    own.direct_of = groups_++;
+    if (std::any_of(group.children.begin(), group.children.end(), [&](scene::ObjectId id) {
+          return scene_.objects[id].kind == NodeKind::light;
+        })) {
+      set.group = own.direct_of;
+      set.inside.clear();
+    }
     own.lamps = static_cast<std::uint32_t>(lamp_sets_.size());
     lamp_sets_.push_back(std::move(set));
   }
@@ -488,12 +488,13 @@ class Flattener {
   SurfaceTable surfaces_;
   /// Who lights an object: what it inherits from the light groups around it. Set 0: no group.
   struct LampSet {
-    std::vector<std::uint32_t> groups;   // around the object, outermost first
-    bool global = true;                  // lamps outside of any group count:
-    std::vector<std::uint32_t> outside;  // these
+    std::uint32_t group = none;          // whose lamps light it
+    bool global = true;                  // lamps outside of any group do, too
+    std::vector<std::uint32_t> outside;  // lamps: those of the scene …
+    std::vector<std::uint32_t> inside;   // … then those of groups
   };
   std::vector<LampSet> lamp_sets_{1};
-  std::vector<std::vector<std::uint32_t>> group_lamps_;  // those of each group alone
+  std::uint32_t groups_ = 0;
   std::unordered_map<const void*, bool> endless_;  // by Object::children
   scene::TextureId default_texture_ = none;
   std::uint32_t entry_interior_ = 0;  // of the object that `visit` has just returned

@@ -23,3 +23,9 @@ plane { y, 0 pigment { rgb 0.9 } }
 sphere { <-0.9, 0.5, 0.2>, 0.5 pigment { rgb <0.9, 0.6, 0.3> } finish { phong 0.7 } }
 box { <0.4, 0, -0.4>, <0.9, 1, 0.3> pigment { rgb <0.4, 0.6, 0.9> } rotate y * 20 }
 cylinder { <1.6, 0, 1>, <1.6, 1.6, 1>, 0.1 pigment { rgb 0.7 } }
+light_group {
+  light_source { <4, 5, -2> rgb <0.3, 0.2, 0> }
+  light_group { sphere { <-1.3, 0.15, -1.6>, 0.15 pigment { rgb 0.9 } } }
+  light_group { light_source { <-4, 5, -2> rgb <0, 0.2, 0.3> } sphere { <-0.9, 0.15, -1.9>, 0.15 pigment { rgb 0.9 } } }
+  global_lights on
+}

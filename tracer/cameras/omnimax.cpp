@@ -22,6 +22,7 @@ bool ray(const Camera& c, const PictureSpot& at, functions::Workspace&, CameraRa
   const DomePoint p = dome_point(a, b);
   if (p.radius > 1) return false;
   const double r = p.radius;
+  if (r > 1) return false;
   const double tilt = r * (1.411269 + r * r * (-0.09439 + r * r * 0.25674));
   const double lowest = std::tan(0.75 * std::numbers::pi) * std::cos(tilt);
   if (std::sin(p.around) * std::sin(tilt) < lowest) return false;
