@@ -73,7 +73,7 @@ DURER_INLINE Double4 root_of(Double4 v) {
 }
 
 /// A bit for every lane that is set.
-DURER_INLINE unsigned bits_of(Int8 mask) {
+DURER_INLINE unsigned bits_of_8(Int8 mask) {
 #ifdef __SSE2__
   __m128 half[2];
   std::memcpy(half, &mask, sizeof mask);
@@ -84,7 +84,7 @@ DURER_INLINE unsigned bits_of(Int8 mask) {
   return bits;
 #endif
 }
-DURER_INLINE unsigned bits_of(Long4 mask) {
+DURER_INLINE unsigned bits_of_4(Long4 mask) {
 #ifdef __SSE2__
   __m128d half[2];
   std::memcpy(half, &mask, sizeof mask);

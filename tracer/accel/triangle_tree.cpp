@@ -44,7 +44,7 @@ DURER_INLINE void pierce(const TriangleTree::Block& block, const ShearedRay& ray
   const Long4 hit = (((u >= zero) & (v >= zero) & (w >= zero)) |
                      ((u <= zero) & (v <= zero) & (w <= zero))) &
                     ((u + v + w) != zero);
-  wide::each_bit(wide::bits_of(hit), on_hit);
+  wide::each_bit(wide::bits_of_4(hit), on_hit);
 }
 
 /// Depth of the triangle's plane; false for a ray in that plane.

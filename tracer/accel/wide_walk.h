@@ -84,7 +84,7 @@ DURER_INLINE std::size_t push_children(const WideNodes::Node& node, const BoxRay
   std::array<float, WideNodes::width> depth;
   std::memcpy(depth.data(), &enter, sizeof depth);
   const std::size_t bottom = top;
-  each_bit(bits_of(enter <= exit), [&](std::size_t i) DURER_LAMBDA_INLINE {
+  each_bit(bits_of_8(enter <= exit), [&](std::size_t i) DURER_LAMBDA_INLINE {
     const Waiting w = waiting(node.child[i], depth[i]);
     std::size_t at = top++;
     for (; at > bottom && stack[at - 1] < w; --at) stack[at] = stack[at - 1];
@@ -140,7 +140,8 @@ DURER_INLINE void at(const WideNodes& tree, dvec3 p, Leaf&& leaf) {
       holds &= (load8(node.planes[axis].data()) <= x[axis]) &
                (load8(node.planes[axis + 3].data()) >= x[axis]);
     }
-    each_bit(bits_of(holds), [&](std::size_t i) DURER_LAMBDA_INLINE { stack[top++] = node.child[i]; });
+    each_bit(bits_of_8(holds),
+             [&](std::size_t i) DURER_LAMBDA_INLINE { stack[top++] = node.child[i]; });
   }
 }
 

@@ -131,8 +131,8 @@ struct Blob {
   }
 
   /// Calls piece(excess, begin, end) for the pieces of the line between beginnings and ends of
-  /// stretches, ascending, and jump(t) where the side changes between two of them; both return false
-  /// to stop.
+  /// stretches, ascending, and jump(t) where the side changes between two of them; both return
+  /// false to stop.
   template <typename Piece, typename Jump>
   void sweep(BlobLine& line, Piece&& piece, Jump&& jump) const {
     const std::vector<const BlobStretch*>& order = line.order;

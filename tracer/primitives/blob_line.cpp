@@ -32,17 +32,18 @@ DURER_INLINE Meeting meet(const Block& block, const Ray& ray, double unit, const
   const Double4 off_z = z - m.middle * ray.d.z;
   const Double4 radius2 = load4(block.radius2);
   m.top = radius2 - (off_x * off_x + off_y * off_y + off_z * off_z);
-  m.met = wide::bits_of(m.top > epsilon * radius2);
+  m.met = wide::bits_of_4(m.top > epsilon * radius2);
   if (m.met == 0) return m;
   // Lanes that hold no number are compared, and left out.
   const Double4 half = wide::root_of(m.top * unit);
   m.begin = wide::greater_of(m.middle - half, line.t_from + Double4{});
   m.end = wide::less_of(m.middle + half, line.t_to + Double4{});
-  m.met &= wide::bits_of(m.begin < m.end);
+  m.met &= wide::bits_of_4(m.begin < m.end);
   const Double4 more = m.top - load4(block.full);
   const Double4 full_half = wide::root_of(more * unit);
   constexpr double never = std::numeric_limits<double>::infinity();
-  m.full_begin = more > Double4{} ? wide::greater_of(m.middle - full_half, m.begin) : never + Double4{};
+  const Double4 full_begin = wide::greater_of(m.middle - full_half, m.begin);
+  m.full_begin = more > Double4{} ? full_begin : never + Double4{};
   m.full_end = wide::less_of(m.middle + full_half, m.end);
   return m;
 }
@@ -91,7 +92,7 @@ DURER_INLINE dvec3 fall_in(const BlobData& blob, dvec3 p) {
     sum_x += steep * x;
     sum_y += steep * y;
     sum_z += steep * z;
-    wide::each_bit(block.others & wide::bits_of(root > Double4{}), [&](std::size_t k) {
+    wide::each_bit(block.others & wide::bits_of_4(root > Double4{}), [&](std::size_t k) {
       others += blob.components[block.component[k]].fall(p);
     });
   });
