@@ -246,3 +246,21 @@ TEST_CASE("statements: equal finishes of one block are one", "[interpreter][stat
   CHECK(finish(0)->phong == 0.5F);
   CHECK(finish(2).same(finish(9)));
 }
+
+TEST_CASE("statements: more colours than are remembered", "[interpreter][statements]") {
+  const Run r = run(R"(
+#for (I, 1, 70000) sphere { 0, 1 pigment { rgb I/70000 } } #end
+#for (I, 69996, 70000) sphere { 0, 1 pigment { rgb I/70000 } } #end)");
+  REQUIRE(r.scene);
+  REQUIRE(r.scene->roots.size() == 70005);
+  bool right = true;
+  for (std::size_t i = 0; i < r.scene->roots.size(); ++i) {
+    const auto id = r.scene->objects[r.scene->roots[i].object].texture.texture;
+    const auto step = static_cast<double>(i < 70000 ? i + 1 : i - 4);
+    const float grey = r.scene->textures[id].layers.back().pigment->colour.rgb.x;
+    right = right && grey == static_cast<float>(step / 70000);
+  }
+  CHECK(right);
+  CHECK(r.scene->textures.size() >= 70001);
+  CHECK(r.scene->textures.size() <= 70006);
+}
