@@ -106,8 +106,9 @@ class Reader {
     }
     const std::size_t equals = rest.find('=');
     const std::string name(first_word(rest));
-    if (equals == std::string_view::npos || name.ends_with("Inc_Temp")) return doc_.clear();
+    if (equals == std::string_view::npos) return doc_.clear();
     const std::string_view value = trimmed(rest.substr(equals + 1));
+    if (value == "version;") return doc_.clear();  // a guard
     DocEntry entry{name, kind_of(value), file_, name, std::move(doc_), std::string(value)};
     doc_.clear();
     append_rest(entry.value);

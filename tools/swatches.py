@@ -38,7 +38,7 @@ WAYS = {  # kind → how a swatch shows it
     "object": "intersection {{ object {{ {} }} box {{ -1.7, 1.7 }} pigment {{ rgb <0.8, 0.7, 0.5> }} finish {{ specular 0.4 }} rotate <-20, 25, 0> scale 0.42 }}",
     "letter": "object {{ {} pigment {{ rgb <0.8, 0.7, 0.5> }} translate -2.5 * y scale 0.37 }}",
 }
-WAYS["pattern"] = "box {{ -1, 1 pigment {{ {} scale 0.5 }} finish {{ ambient 0.9 diffuse 0.1 }} }}"
+WAYS["pattern"] = "box {{ <-1, -1, 0>, <1, 1, 0.1> pigment {{ {} scale 0.5 }} finish {{ ambient 0.9 diffuse 0.1 }} }}"
 WAYS["shape"] = "object {{ {} pigment {{ rgb <0.8, 0.7, 0.5> }} finish {{ specular 0.4 }} rotate <-20, 25, 0> }}"
 PATTERNS = {  # what is written, where the name alone is not enough
     name: "" for name in (
