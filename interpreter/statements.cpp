@@ -164,7 +164,8 @@ bool Interpreter::run_object(Span word, const ObjectPlan& plan,
   o.kind = scene::NodeKind::primitive;
   o.type = plan.type;
   o.origin = origin(word);
-  o.args.assign(operands.begin(), operands.end());
+  o.args = std::span<const double>(operands);
+  if (default_importance_ != 1) o.importance = default_importance_;
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     const ObjectPlan::Step& step = plan.steps[i];
     if (step.word == w::pigment) {

@@ -319,7 +319,7 @@ class Flattener {
     Context own = around;
     own.to_world = object.transform.then(around.to_world);
     own.direct_of = none;
-    return visit(object.children.front(), own);
+    return visit(object.children[0], own);
   }
 
   void add_light(const Object& object, const Context& around) {

@@ -67,7 +67,7 @@ vec3 Tracer::walk_shadow(const Light& light, const Incidence& in, dvec3 p, doubl
     }
     if (!met) return left;
     if (dark(left)) return vec3(0.0F);
-    inside.toggle(scene_->geometry.leaves()[hit.leaf].interior);
+    inside.toggle(hit.interior);
     ray.o = hit.p;
     way -= hit.t;
   }

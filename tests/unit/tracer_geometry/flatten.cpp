@@ -136,10 +136,10 @@ TEST_CASE("flatten: lights move with the objects that hold them", "[tracer][flat
   b.show(lone);
   b.show(pair);
   const Flat f = flat(b);
-  REQUIRE(f.world.lights.size() == 3);
-  CHECK(f.world.lights[0].point_at == dvec3(0, 0, 2));
-  CHECK(f.world.lights[1].position == dvec3(3, 0, 0));
-  CHECK(f.world.lights[2].position == dvec3(3, 0, 0));
+  REQUIRE(f.lights.size() == 3);
+  CHECK(f.lights[0].point_at == dvec3(0, 0, 2));
+  CHECK(f.lights[1].position == dvec3(3, 0, 0));
+  CHECK(f.lights[2].position == dvec3(3, 0, 0));
   CHECK(f.leaves.size() == 1);
 }
 
