@@ -125,13 +125,11 @@ sphere { 0, 1 @ } #debug "fine\n"
 sphere { 0, 1 pigment { @ color_map { [0 rgb 0] [1 rgb 1] } } } #debug "fine\n"
 // each: agate boxed bozo bumps cells crackle cylindrical dents granite leopard marble onion planar radial ripples spherical spotted waves wood wrinkles 'gradient x' 'spiral1 3' 'spiral2 3' 'quilted control0 0 control1 1' 'julia <0.3,0.4>, 20' 'mandel 20' 'magnet 1 mandel 20' 'magnet 2 julia <0.1,0.2>, 20' 'aoi' 'slope y' 'function { x }' 'pavement' 'tiling 3'
 // expect: fine
-// later: `pavement`; `tiling`
 
 //= pattern @ with colours
 sphere { 0, 1 pigment { @ } } #debug "fine\n"
 // each: 'checker rgb 1, rgb 0' 'checker' 'hexagon rgb 1, rgb 0, rgb 0.5' 'hexagon' 'brick rgb 1, rgb 0' 'brick' 'square rgb 1, rgb 0, rgb x, rgb y' 'triangular rgb 1, rgb 0, rgb x, rgb y, rgb z, rgb 1' 'checker pigment { rgb 1 } pigment { rgb 0 }' 'object { sphere { 0, 1 } rgb 1, rgb 0 }' 'cubic rgb 1, rgb 0'
 // expect: fine
-// later: `object`
 
 //= pattern modifier @
 sphere { 0, 1 pigment { bozo @ } } #debug "fine\n"
@@ -142,7 +140,6 @@ sphere { 0, 1 pigment { bozo @ } } #debug "fine\n"
 sphere { 0, 1 finish { @ } } #debug "fine\n"
 // each: 'ambient 0.5' 'ambient rgb 0.5' 'diffuse 0.5' 'diffuse 0.5, 0.2' 'diffuse albedo 0.5' 'brilliance 2' 'phong 1' 'phong_size 20' 'phong albedo 0.5' 'specular 0.5' 'specular albedo 0.5' 'roughness 0.02' 'metallic' 'metallic 0.5' 'reflection 0.5' 'reflection { 0.1, 0.5 }' 'reflection { 0.5 falloff 2 exponent 1 metallic }' 'reflection_exponent 1' 'crand 0.1' 'emission 0.5' 'conserve_energy' 'irid { 0.2 thickness 0.5 turbulence 0.1 }'
 // expect: fine
-// later: turbulence in irid
 
 //= fog and rainbow words @
 @ #debug "fine\n"
@@ -162,7 +159,7 @@ sphere { 0, 1 hollow interior { @ } } #debug "fine\n"
 //= a sphere has no @
 sphere { 0, 1 @ }
 // each: sturm hierarchy
-// beyond
+// error: D0214 at 1:15
 
 //= media words @
 media { @ } #debug "fine\n"

@@ -6,9 +6,7 @@
 // chatty
 global_settings { assumed_gamma 1 radiosity { Rad_Settings(Radiosity_Normal, off, on) } }
 #debug "= read\n"
-// later: radiosity
 // expect: = read
-// later: radiosity
 
 //= Rad_Settings of every kind
 // chatty
@@ -16,6 +14,4 @@ global_settings { assumed_gamma 1 radiosity { Rad_Settings(Radiosity_Normal, off
   global_settings { assumed_gamma 1 radiosity { Rad_Settings(I, on, off) } }
 #end
 #debug "= read\n"
-// later: radiosity
 // expect: = read
-// later: radiosity

@@ -63,7 +63,8 @@ SceneBuilder crowd(std::uint64_t seed) {
   lamp.light = 0;
   b.scene.lights.resize(1);
   lamp.transform = Transform::translate({0, 1, 0});
-  std::vector<scene::ObjectId> children{b.add(lamp)};
+  b.show(lamp);
+  std::vector<scene::ObjectId> children;
   for (int i = 0; i < 6; ++i) {
     scene::Object o = copy_of(b, i % 2 == 0 ? loose : solid, random_place(random, 3));
     if (i == 2) o.texture = {2, Transform::translate({0, 0, 1})};
