@@ -76,7 +76,7 @@ TEST_CASE("lights: groups keep their lamps to themselves", "[tracer][lights]") {
   lamp.light = 1;
   scene::Object disc = s.blocker("disc", rgbft(1, 1, 1));
   disc.args = {0, 0, -1, 0, 0, 1, 1, 0};
-  disc.texture = s.scene.objects[0].texture;
+  disc.texture = s.scene.objects[1].texture;
   s.scene.roots.pop_back();
   for (const scene::Object& o : {lamp, disc}) {
     s.scene.objects.push_back(o);
