@@ -109,7 +109,6 @@ cylinder { 0, y, 1 open on }
 light_source { 0, rgb 1 @ } #debug "fine\n"
 // each: shadowless parallel 'parallel point_at x' 'spotlight point_at x radius 10 falloff 20 tightness 3' cylinder 'area_light x, y, 2, 2' 'area_light x, y, 2, 2 adaptive 1 jitter circular orient' 'fade_distance 3 fade_power 2' 'media_interaction off' 'media_attenuation on' 'looks_like { sphere { 0, 1 } }' 'translate x'
 // expect: fine
-// later: `area_light`; cylinder light; `looks_like`
 
 //= leading names of @
 #declare O = sphere { 0, 1 } #declare T = texture { pigment { rgb 1 } } #declare P = pigment { rgb 1 } #declare F = finish { phong 1 } #declare N = normal { bumps } #declare C = camera { location 0 } #declare L = light_source { 0, rgb 1 } #declare M = color_map { [0 rgb 0] [1 rgb 1] } #declare R = transform { scale 2 } #declare I = interior { ior 1.5 } #declare A = material { texture { T } }
@@ -143,13 +142,11 @@ sphere { 0, 1 pigment { bozo @ } } #debug "fine\n"
 sphere { 0, 1 finish { @ } } #debug "fine\n"
 // each: 'ambient 0.5' 'ambient rgb 0.5' 'diffuse 0.5' 'diffuse 0.5, 0.2' 'diffuse albedo 0.5' 'brilliance 2' 'phong 1' 'phong_size 20' 'phong albedo 0.5' 'specular 0.5' 'specular albedo 0.5' 'roughness 0.02' 'metallic' 'metallic 0.5' 'reflection 0.5' 'reflection { 0.1, 0.5 }' 'reflection { 0.5 falloff 2 exponent 1 metallic }' 'reflection_exponent 1' 'crand 0.1' 'emission 0.5' 'conserve_energy' 'irid { 0.2 thickness 0.5 turbulence 0.1 }'
 // expect: fine
-// later: turbulence in irid
 
 //= fog and rainbow words @
 @ #debug "fine\n"
 // each: 'fog { distance 10 rgb 0.5 }' 'fog { fog_type 2 distance 10 rgb 0.5 fog_offset 1 fog_alt 2 }' 'fog { distance 10 rgb 0.5 turbulence 0.5 turb_depth 0.3 }' 'rainbow { direction z angle 40 width 5 distance 100 color_map { [0 rgb 0] [1 rgb 1] } }' 'rainbow { direction z angle 40 width 5 distance 100 color_map { [0 rgb 0] [1 rgb 1] } arc_angle 90 falloff_angle 30 jitter 0.1 }'
 // expect: fine
-// later: `fog`; `rainbow`
 
 //= interior words @
 sphere { 0, 1 hollow interior { @ } } #debug "fine\n"
