@@ -124,6 +124,8 @@ TEST_CASE("dump: text leaves out what has its default", "[scene][dump]") {
         "background\n"
         "  transmit 1\n"
         "sky_sphere -\n"
+        "fogs\n"
+        "rainbows\n"
         "lights\n"
         "roots\n"
         "objects\n"
