@@ -58,7 +58,11 @@ scene::Fog Interpreter::read_fog(Span span) {
         next();
         continue;
       }
-      const Num n = read_num(5);
+      if (const auto* name = t.node<ast::Name>();
+          name != nullptr && !symbols_.reserved(name->name) && env_.find(name->name) == nullptr) {
+        bad_setting(t, "fog", span, settings);
+      }
+      const Num n = read_num(1);
       if (n.length == 5) {
         fog.colour = n.colour();
       } else if (n.length == 1) {

@@ -86,7 +86,7 @@ dvec3 normal_at(const Place& p, bool smooth) {
     return glm::normalize(n);
   }
   const dvec3 a = p.mesh->corner(p.face, 0);
-  return glm::normalize(glm::cross(p.mesh->corner(p.face, 1) - a, p.mesh->corner(p.face, 2) - a));
+  return glm::normalize(glm::cross(p.mesh->corner(p.face, 2) - a, p.mesh->corner(p.face, 1) - a));
 }
 
 bool ray(const Camera& c, const PictureSpot& at, functions::Workspace&, CameraRay& out) {

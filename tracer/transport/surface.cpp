@@ -157,6 +157,14 @@ Path Tracer::inward(const View& view, const Path& path, dvec3 n, float weight) {
   return back;
 }
 
+// What total internal reflection towards `r` is tinted with: the film of the outermost layer.
+vec3 Tracer::film_tint(const View& view, dvec3 n, dvec3 r) const {
+  const TextureStore& textures = scene_->textures;
+  const Finish& f = textures.finish(textures.layer(view.texture->first_layer));
+  if (!(f.irid > 0)) return vec3(1.0F);
+  return iridescence(f, view.p, glm::dot(n, r), glm::dot(n, view.d));
+}
+
 void Tracer::transmit(const View& view, const LayerSum& layers, Path& path, Step& step) {
   const vec3 a = attenuation(view, path);
   Path next;
@@ -181,7 +189,7 @@ void Tracer::transmit(const View& view, const LayerSum& layers, Path& path, Step
   if (disperses) ratio.ior *= index_factor(ratio.dispersion, path.wavelength);
   if (!step.straight && !refract(view.d, layers.top, ratio.ior, next.ray.d)) {
     next = inward(view, path, layers.top, next.weight);
-    step.through = a;
+    step.through = a * film_tint(view, layers.top, next.ray.d);
     step.transmittance = 0;
     step.tir = true;
   }
@@ -202,12 +210,14 @@ Radiance Tracer::disperse(const View& view, const LayerSum& layers, const Path& 
     const Band band = spectral_band(i, samples);
     const double eta = ratio.ior * index_factor(ratio.dispersion, band.wavelength);
     Path ray = next;
+    vec3 tint = band.hue;
     if (!refract(view.d, layers.top, eta, ray.ray.d)) {
       ray = inward(view, path, layers.top, next.weight);
+      tint *= film_tint(view, layers.top, ray.ray.d);
     }
     ray.wavelength = band.wavelength;
     const Radiance r = trace(ray);
-    sum.colour += band.hue * r.colour;
+    sum.colour += tint * r.colour;
     sum.transmittance += r.transmittance;
   }
   const auto n = static_cast<float>(samples);

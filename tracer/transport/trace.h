@@ -205,6 +205,7 @@ class Tracer {
   vec3 remember_reflection(const View& view, const Path& path, const LayerPoint& layer,
                            float sigma);
   void transmit(const View& view, const LayerSum& layers, Path& path, Step& step);
+  [[nodiscard]] vec3 film_tint(const View& view, dvec3 n, dvec3 r) const;
   [[nodiscard]] static Path inward(const View& view, const Path& path, dvec3 n, float weight);
   [[nodiscard]] Radiance disperse(const View& view, const LayerSum& layers, const Path& path,
                                   const Path& next, IndexRatio ratio);

@@ -152,7 +152,7 @@ TEST_CASE("camera: there is nothing outside of a fisheye's circle", "[tracer][ca
 TEST_CASE("camera: rays of a mesh camera leave the faces along their normals", "[tracer][camera]") {
   scene::Mesh mesh;
   mesh.vertices = {{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {3, 3, 0}};
-  mesh.faces = {{0, 1, 2}, {1, 3, 2}};
+  mesh.faces = {{0, 2, 1}, {1, 2, 3}};
   scene::MeshCamera m;
   m.meshes = {std::make_shared<const scene::Mesh>(mesh)};
   m.transforms.resize(1);
