@@ -1,6 +1,7 @@
 // Pictures that scenes read from files or make of functions (textures §12, objects §10.11).
 #include "interpreter/pictures.h"
 
+#include <array>
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -17,6 +18,13 @@ namespace durer::interpreter {
 namespace w = grammar::words;
 
 namespace {
+
+/// The words that tell a picture's format.
+constexpr std::array picture_formats = {
+    grammar::words::gif, grammar::words::pot, grammar::words::sys,  grammar::words::tga,
+    grammar::words::pgm, grammar::words::ppm, grammar::words::png,  grammar::words::jpeg,
+    grammar::words::iff, grammar::words::bmp, grammar::words::tiff, grammar::words::exr,
+    grammar::words::hdr};
 
 /// More pixels than this are no picture but a mistake; it is half a gigabyte of them.
 constexpr double most_pixels = 268435456.0;

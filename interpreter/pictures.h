@@ -20,11 +20,5 @@ struct PictureFile {
   Span span;
 };
 
-/// The words that tell a picture's format.
-inline constexpr std::array picture_formats = {
-    grammar::words::gif, grammar::words::pot, grammar::words::sys,  grammar::words::tga,
-    grammar::words::pgm, grammar::words::ppm, grammar::words::png,  grammar::words::jpeg,
-    grammar::words::iff, grammar::words::bmp, grammar::words::tiff, grammar::words::exr,
-    grammar::words::hdr};
 
 }  // namespace durer::interpreter

@@ -175,6 +175,7 @@ void Tracer::transmit(const View& view, const LayerSum& layers, Path& path, Step
   next.level = path.level;
   next.reflected = path.reflected;
   next.wavelength = path.wavelength;
+  next.bounce = path.bounce;
   step.through = a * layers.through;
   step.transmittance = grey(a) * layers.sigma;
 
