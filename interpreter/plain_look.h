@@ -23,7 +23,8 @@ struct PlainLook {
            a.colour.filter == b.colour.filter && a.colour.transmit == b.colour.transmit;
   }
   [[nodiscard]] std::size_t hash() const {
-    std::size_t h = reinterpret_cast<std::uintptr_t>(finish);
+    // Not of the finish, whose address differs from run to run: what is shared must not.
+    std::size_t h = 0;
     for (const float x : {colour.rgb.x, colour.rgb.y, colour.rgb.z, colour.filter,
                           colour.transmit}) {
       h = (h ^ std::bit_cast<std::uint32_t>(x + 0.0F)) * 0x9E3779B97F4A7C15U;  // -0 equals 0
@@ -57,7 +58,7 @@ class KnownLooks {
     scene::TextureId texture = scene::none;
   };
   static constexpr std::size_t least = 64;
-  static constexpr std::size_t most = std::size_t{1} << 16U;
+  static constexpr std::size_t most = std::size_t{1} << 14U;
   static constexpr std::size_t probes = 4;
 
   [[nodiscard]] std::size_t place(std::size_t hash) const { return hash & (entries_.size() - 1); }
