@@ -40,6 +40,7 @@ struct CompiledScene {
   std::vector<ProgramId> part_textures;
   std::vector<Interior> interiors;       // parallel to geometry.interiors()
   std::vector<Light> lights;
+  std::vector<Reach> reaches;  // parallel to `lights`
   std::vector<Geometry> projectors;  // what lamps shine through, each alone
   Containment around_camera;  // bodies that hold the camera's location
 };

@@ -7,6 +7,7 @@ add_library(durer_geometry STATIC
   geometry_build.cpp
   object_queries.cpp
   accel/box_tree.cpp
+  accel/casters.cpp
   accel/embree.cpp
   accel/linear.cpp
   accel/triangle_build.cpp

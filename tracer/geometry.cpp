@@ -101,6 +101,25 @@ bool Geometry::occluded(const Ray& ray, double t_from, double t_to,
   return state_->accel->any(query);
 }
 
+bool Geometry::casters(const Shaft& shaft, std::vector<Caster>& out) const {
+  constexpr std::size_t most = 12;  // beyond, the hierarchy is faster
+  std::call_once(state_->casters_found, [this] { state_->index_casters(); });
+  return state_->casters.gather(shaft, most, out);
+}
+
+bool Geometry::occluded_by(std::span<Caster> among, const Ray& ray, double t_from, double t_to,
+                           GeometryScratch& scratch) const {
+  const double after = t_from * (1 + std::numeric_limits<double>::epsilon());
+  RayQuery query{ray, after, t_to, blocks_light, {}, &state_->parts, &scratch.sweep, true};
+  for (Caster& c : among) {
+    c.targets->nearest(*c.targets, c.index, query);
+    if (query.found.store == nullptr) continue;
+    std::swap(c, among.front());
+    return true;
+  }
+  return false;
+}
+
 void Geometry::containing(dvec3 p, std::vector<std::uint32_t>& interiors,
                           GeometryScratch& scratch) const {
   const State& s = *state_;

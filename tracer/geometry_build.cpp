@@ -90,13 +90,20 @@ void Geometry::State::index_bodies() const {
   });
 }
 
-void Geometry::State::build_accel(Hierarchy hierarchy) {
+std::vector<const Targets*> Geometry::State::all_targets() const {
   std::vector<const Targets*> all;
   for (const TypeStores& s : lone) {
     all.push_back(s.baked.get());
     all.push_back(s.placed.get());
   }
   all.push_back(solids.get());
+  return all;
+}
+
+void Geometry::State::index_casters() const { casters = CasterIndex(all_targets()); }
+
+void Geometry::State::build_accel(Hierarchy hierarchy) {
+  const std::vector<const Targets*> all = all_targets();
   accel = hierarchy == Hierarchy::linear ? make_linear_accel(all) : make_embree_accel(all);
 }
 

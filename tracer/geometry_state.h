@@ -51,15 +51,19 @@ struct Geometry::State {
   mutable std::atomic<int> questions{0};
   mutable std::once_flag index_made;
   mutable Index index;
+  mutable std::once_flag casters_found;
+  mutable CasterIndex casters;  // made when somebody asks for it
   bool translucent_shadows = true;
 
   State(Flat flat, Hierarchy hierarchy);
   [[nodiscard]] bool body_contains(const Body& body, dvec3 p, SweepState& sweep) const;
   /// Thread-safe; does nothing the second time.
   void index_bodies() const;
+  void index_casters() const;
   void set_opaque(const std::vector<bool>& by_surface);
 
  private:
+  [[nodiscard]] std::vector<const Targets*> all_targets() const;
   void build_accel(Hierarchy hierarchy);
   void add_gates(const Flat& flat);
   void add_entry(const Flat& flat, const FlatEntry& entry);
