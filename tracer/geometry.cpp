@@ -111,7 +111,11 @@ bool Geometry::occluded_by(std::span<Caster> among, const Ray& ray, double t_fro
                            GeometryScratch& scratch) const {
   const double after = t_from * (1 + std::numeric_limits<double>::epsilon());
   RayQuery query{ray, after, t_to, blocks_light, {}, &state_->parts, &scratch.sweep, true};
+  const dvec3 inverse = 1.0 / ray.d;
   for (Caster& c : among) {
+    double enter = after;
+    double leave = t_to;
+    if (!BoxTree::clip(c.box, ray.o, inverse, enter, leave)) continue;
     c.targets->nearest(*c.targets, c.index, query);
     if (query.found.store == nullptr) continue;
     std::swap(c, among.front());

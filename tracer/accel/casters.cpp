@@ -10,10 +10,10 @@ CasterIndex::CasterIndex(std::span<const Targets* const> all) {
       const Bounds3 b = targets->surface_bounds(i);
       if (b.empty()) continue;
       if (b.infinite()) {
-        endless_.push_back({BoxTree::grown(b), {targets, i}});
+        endless_.push_back({targets, i, BoxTree::grown(b)});
       } else {
         boxes.push_back(b);
-        of_box_.push_back({targets, i});
+        of_box_.push_back({targets, i, BoxTree::grown(b)});
       }
     }
   }
@@ -22,8 +22,8 @@ CasterIndex::CasterIndex(std::span<const Targets* const> all) {
 
 bool CasterIndex::gather(const Shaft& shaft, std::size_t most, std::vector<Caster>& out) const {
   out.clear();
-  for (const Endless& e : endless_) {
-    if (shaft.meets(e.box)) out.push_back(e.caster);
+  for (const Caster& c : endless_) {
+    if (shaft.meets(c.box)) out.push_back(c);
   }
   boxes_.meeting([&](const Bounds3& b) { return out.size() <= most && shaft.meets(b); },
                  [&](std::uint32_t box) { out.push_back(of_box_[box]); });

@@ -14,6 +14,7 @@ namespace durer::tracer {
 struct Caster {
   const Targets* targets = nullptr;
   std::uint32_t index = 0;
+  Bounds3 box;  // of its surface
 };
 
 /// All objects that cast shadows, by their boxes.
@@ -26,13 +27,9 @@ class CasterIndex {
   [[nodiscard]] bool gather(const Shaft& shaft, std::size_t most, std::vector<Caster>& out) const;
 
  private:
-  struct Endless {
-    Bounds3 box;
-    Caster caster;
-  };
   BoxTree boxes_;
   std::vector<Caster> of_box_;
-  std::vector<Endless> endless_;
+  std::vector<Caster> endless_;
 };
 
 }  // namespace durer::tracer
