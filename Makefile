@@ -11,7 +11,7 @@ SOURCES  = $(shell git ls-files '*.h' '*.cpp')
 
 .DEFAULT_GOAL := build
 .NOTPARALLEL:
-.PHONY: build deps oracle demo test conformance conformance-baseline golden bench differential format tidy clean help
+.PHONY: build deps oracle demo test conformance conformance-baseline stdlib golden reference bench differential format tidy clean help
 
 build: ## the optimised program, at build/durer
 	@test -f $(BUILD)/build.ninja || cmake --preset $(PRESET)
@@ -37,8 +37,14 @@ conformance: build ## compare with POV-Ray on its example scenes: make conforman
 conformance-baseline: build ## the same, and take the verdicts as the new baseline
 	$(PYTHON) tools/conformance.py --html build/conformance --update-baseline $(FILTER)
 
+stdlib: ## make the includes anew that come from the tables of stdlib/data
+	$(PYTHON) tools/stdlib.py generate
+
 golden: ## make the golden pictures anew, from POV-Ray: make golden FILTER=torus
 	$(PYTHON) tools/golden.py regenerate $(FILTER)
+
+reference: build ## the pages of docs/reference, with swatches of all that the library declares
+	$(PYTHON) tools/reference.py all
 
 bench: build ## time both programs on the scenes of bench/: make bench FILTER=slab
 	$(PYTHON) tools/bench.py --runs $(RUNS) $(FILTER)

@@ -209,38 +209,7 @@ inline Interval& operator*=(Interval& a, const Interval& b) { return a = a * b; 
   return {r.lo, r.hi, a.nan || a.lo < -1 || a.hi > 1};
 }
 
-/// Image under sine; beyond 1e9 the ends no longer tell where the extremes lie.
-[[nodiscard]] inline Interval sin(const Interval& a) {
-  using std::numbers::pi;
-  const bool nan = a.nan || interval_detail::has_infinity(a);
-  if (a.lo == a.hi && !nan) return std::sin(a.lo);
-  if (!(a.hi - a.lo < 2 * pi) || !(std::abs(a.lo) < 1e9)) return {-1, 1, nan};
-  // Whether a maximum π/2 + 2kπ or a minimum -π/2 + 2kπ lies inside; widened against rounding.
-  const auto holds = [&](double phase) {
-    const double k = std::ceil((a.lo - phase) / (2 * pi) - 1e-6);
-    return phase + 2 * pi * k <= a.hi + 1e-5;
-  };
-  const double p = std::sin(a.lo);
-  const double q = std::sin(a.hi);
-  const double lo = interval_detail::padded_down(std::min(p, q));
-  const double hi = interval_detail::padded_up(std::max(p, q));
-  return {holds(-pi / 2) ? -1 : lo, holds(pi / 2) ? 1 : hi, nan};
-}
-[[nodiscard]] inline Interval cos(const Interval& a) {
-  using std::numbers::pi;
-  const bool nan = a.nan || interval_detail::has_infinity(a);
-  if (a.lo == a.hi && !nan) return std::cos(a.lo);
-  if (!(a.hi - a.lo < 2 * pi) || !(std::abs(a.lo) < 1e9)) return {-1, 1, nan};
-  const auto holds = [&](double phase) {
-    const double k = std::ceil((a.lo - phase) / (2 * pi) - 1e-6);
-    return phase + 2 * pi * k <= a.hi + 1e-5;
-  };
-  const double p = std::cos(a.lo);
-  const double q = std::cos(a.hi);
-  const double lo = interval_detail::padded_down(std::min(p, q));
-  const double hi = interval_detail::padded_up(std::max(p, q));
-  return {holds(pi) ? -1 : lo, holds(0) ? 1 : hi, nan};
-}
+/// Beyond 1e9 the ends no longer tell where the poles lie.
 [[nodiscard]] inline Interval tan(const Interval& a) {
   using std::numbers::pi;
   const bool nan = a.nan || interval_detail::has_infinity(a);

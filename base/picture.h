@@ -23,6 +23,10 @@ struct Picture {
   std::vector<std::array<std::uint8_t, 4>> palette;
   /// Decoding exponent that the file names, such as 2.2.
   std::optional<double> file_gamma;
+  bool file_srgb = false;      // the file says that its curve is that of sRGB
+  bool premultiplied = false;  // colours are stored multiplied by alpha
+  /// Grey bytes of a PNG file, which the oracle keeps as bytes of a weighted sum.
+  bool weighed_grey = false;
 
   [[nodiscard]] bool is_real() const { return bits == 32; }
   [[nodiscard]] std::size_t index(std::uint32_t x, std::uint32_t y,

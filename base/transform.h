@@ -56,6 +56,8 @@ struct Transform {
   [[nodiscard]] dvec3 vector(dvec3 v) const { return forward.vector(v); }
   /// Normals go by the inverse transpose; the result is not renormalised.
   [[nodiscard]] dvec3 normal(dvec3 n) const { return backward.covector(n); }
+
+  friend bool operator==(const Transform&, const Transform&) = default;
 };
 
 /// A transform as scene data keeps it: the identity, by far the commonest, takes 16 bytes, and
@@ -77,6 +79,10 @@ class SharedTransform {
     if (is_identity()) return next;
     if (next.is_identity()) return *this;
     return get().then(next.get());
+  }
+
+  friend bool operator==(const SharedTransform& a, const SharedTransform& b) {
+    return a.transform_ == b.transform_ || a.get() == b.get();
   }
 
  private:

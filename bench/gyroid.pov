@@ -1,4 +1,4 @@
-// bench: +W800 +H600 -A; a gyroid of 30 cells a side, cut by its box
+// bench: +W2400 +H1800 -A; a gyroid of six cells a side, cut by its box
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <3, 3.5, -7> look_at 0 angle 32 }

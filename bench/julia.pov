@@ -1,4 +1,4 @@
-// bench: +W480 +H360 -A; a Julia set of quaternions
+// bench: +W2400 +H1800 -A; a Julia set of quaternions
 #version 3.7;
 global_settings { assumed_gamma 1 }
 light_source { <-8, 12, -10> rgb 1 }

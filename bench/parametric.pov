@@ -1,4 +1,4 @@
-// bench: +W80 +H60 -A; a ring that three functions draw
+// bench: +W120 +H90 -A; a ring that three functions draw
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 2.6, -3.6> look_at <0, -0.1, 0> angle 40 }

@@ -76,7 +76,7 @@ std::vector<std::string> wrap(const std::vector<std::string>& words) {
 
 void unknown_option(const std::string& word, Reader& reader) {
   const std::string name = word.substr(0, word.find('='));
-  std::vector<std::string> names = {"--help", "--version"};
+  std::vector<std::string> names = {"--help", "--version", "--print-stdlib-path"};
   for (const Option& o : options()) {
     if (!o.long_name.empty()) names.push_back("--" + std::string(o.long_name));
   }
@@ -113,6 +113,7 @@ Request read_command_line(const std::vector<std::string>& words, Reader& reader)
   app.add_flag_callback("--help", [&] { request = Request::help; });
   app.add_flag_callback("--help-markdown", [&] { request = Request::help_markdown; });
   app.add_flag_callback("--version", [&] { request = Request::version; });
+  app.add_flag_callback("--print-stdlib-path", [&] { request = Request::stdlib_path; });
   std::vector<std::string> backwards = wrap(words);  // CLI11 takes its vector from the back
   std::ranges::reverse(backwards);
   try {

@@ -9,7 +9,7 @@
 namespace durer::cli {
 
 /// What the command line asks for instead of a render.
-enum class Request : std::uint8_t { render, help, help_markdown, version };
+enum class Request : std::uint8_t { render, help, help_markdown, version, stdlib_path };
 
 /// Where the first bare word stands, which names a command if there is one of that name; the number
 /// of words if all are options.

@@ -19,4 +19,7 @@ inline constexpr int interrupted = 2;
 /// `durer check [options] FILE…`: reads scenes without rendering them; returns 0 if all are good.
 [[nodiscard]] int check_command(const std::vector<std::string>& words);
 
+/// `durer doc NAME…`: what names mean; returns 0 if all are known.
+[[nodiscard]] int doc_command(const std::vector<std::string>& words);
+
 }  // namespace durer::cli

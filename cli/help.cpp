@@ -35,6 +35,7 @@ constexpr std::string_view usage =
     "durer [options] -                 read the scene from standard input\n"
     "durer check [options] FILE...     read scenes without rendering them\n"
     "durer parse FILE...               check the syntax only\n"
+    "durer doc NAME...                 explain a macro, texture, object, function, directive\n"
     "A command is the first word that is no option; options may stand before it.\n";
 
 constexpr std::string_view notes =
@@ -157,7 +158,7 @@ std::string help_text() {
       if (o.group == chapter.group) out += help_line(o);
     }
   }
-  out += "\nOther\n  --help\n  --version\n";
+  out += "\nOther\n  --help\n  --version\n  --print-stdlib-path\n        tell where the standard includes are\n";
   return out + fmt::format("\nExit codes\n{}", exit_codes);
 }
 

@@ -10,6 +10,7 @@
 #include "cli/guard.h"
 #include "cli/help.h"
 #include "cli/limits.h"
+#include "cli/scene_file.h"
 
 namespace durer::cli {
 namespace {
@@ -45,6 +46,7 @@ RunSetup set_up(const std::vector<std::string>& words) {
     case Request::help: setup.exit = print_and_leave(help_text()); return setup;
     case Request::help_markdown: setup.exit = print_and_leave(help_markdown()); return setup;
     case Request::version: setup.exit = print_and_leave(version_text()); return setup;
+    case Request::stdlib_path: setup.exit = print_and_leave(stdlib_folder() + "\n"); return setup;
     case Request::render: break;
   }
   if (const Problem problem = check(setup.settings)) reader.error(*problem, {});

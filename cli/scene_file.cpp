@@ -80,7 +80,7 @@ std::optional<SceneText> read_scene(Settings& settings, Diagnostics& diagnostics
 std::string stdlib_folder() {
   std::error_code ignored;
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
-  for (const fs::path& folder : {program / "../share/durer/stdlib", fs::path(DURER_STDLIB)}) {
+  for (const fs::path& folder : {program / "../share/durer/include", fs::path(DURER_STDLIB)}) {
     if (fs::is_directory(folder, ignored)) return folder.lexically_normal().string();
   }
   return {};

@@ -37,6 +37,7 @@ std::string what(const Function& f, const Instruction& in) {
                          l.to) +
              side(l.body);
     }
+    case Op::waves: return "waves" + listed(f, in.a, in.count / 2U);
     default: break;
   }
   const OpInfo& info = op_table[static_cast<std::size_t>(in.op)];

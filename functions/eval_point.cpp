@@ -36,7 +36,8 @@ double evaluate_op(Op op, std::span<const double> arguments) {
     case Op::call:
     case Op::external:
     case Op::select:
-    case Op::loop: break;
+    case Op::loop:
+    case Op::waves: break;
   }
   return 0;
 }

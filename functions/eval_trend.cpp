@@ -7,7 +7,7 @@ namespace durer::functions {
 void call_external(const External& e, const Context& c, const Trend* a, Trend* out) {
   std::array<Interval, max_internal_arguments> box;
   std::array<Interval, max_components> result;
-  for (int i = 0; i < e.arity; ++i) box[i] = a[i].v;
+  for (int i = 0; i < e.arity; ++i) box[i] = a[i].range();
   call_external(e, c, box.data(), result.data());
   for (int i = 0; i < e.components; ++i) out[i] = Trend::erratic(result[i]);
 }

@@ -28,7 +28,7 @@ enum Side : unsigned { negative_side = 1, zero_side = 2, positive_side = 4 };
          (c.hi > 0 || c.nan ? positive_side : 0u);
 }
 
-[[nodiscard]] inline unsigned sides(const Trend& c) { return sides(c.v); }
+[[nodiscard]] inline unsigned sides(const Trend& c) { return sides(c.range()); }
 
 [[nodiscard]] inline FrameStack<double>& frames(Workspace& w, double) { return w.points; }
 [[nodiscard]] inline FrameStack<Pack>& frames(Workspace& w, const Pack&) { return w.batches; }
@@ -54,7 +54,39 @@ template <class T>
 }
 
 [[nodiscard]] inline bool loop_is_unbounded(const Trend& from, const Trend& to) {
-  return loop_is_unbounded(from.v, to.v);
+  return loop_is_unbounded(from.range(), to.range());
+}
+
+// ---- sine and cosine of a, sine and cosine of b
+// ----------------------------------------------------------------------
+template <class T>
+void sines_and_cosines(const T& a, const T& b, T* out) {
+  out[0] = sin(a);
+  out[1] = cos(a);
+  out[2] = sin(b);
+  out[3] = cos(b);
+}
+inline void sines_and_cosines(const double& a, const double& b, double* out) {
+  if (!fits_circle(a) || !fits_circle(b)) return sines_and_cosines<double>(a, b, out);
+  const PairOnCircle c = on_circle(DoublePair{a, b});
+  out[0] = c.sine[0];
+  out[1] = c.cosine[0];
+  out[2] = c.sine[1];
+  out[3] = c.cosine[1];
+}
+inline void sines_and_cosines(const Pack& a, const Pack& b, Pack* out) {
+  for (int lane = 0; lane < Pack::lanes; ++lane) {
+    std::array<double, 4> c{};
+    sines_and_cosines(a.v[lane], b.v[lane], c.data());
+    for (std::size_t k = 0; k < 4; ++k) out[k].v[lane] = c[k];
+  }
+}
+inline void sines_and_cosines(const Trend& a, const Trend& b, Trend* out) {
+  for (const Trend* angle : {&a, &b}) {
+    const Circle c = circle_of(angle->range());
+    *out++ = trend_detail::chain(c.sine, c.cosine, *angle);
+    *out++ = trend_detail::chain(c.cosine, -c.sine, *angle);
+  }
 }
 
 /// Executes one tape on one frame of registers.
@@ -88,6 +120,7 @@ class Machine {
         case Op::external: external(in); break;
         case Op::select: pc = select(in) - 1; break;
         case Op::loop: pc = loop(in) - 1; break;
+        case Op::waves: waves(in); break;
       }
     }
   }
@@ -136,6 +169,21 @@ class Machine {
     stack.pop_to(mark);
   }
 
+  void waves(const Instruction& in) {
+    const Register* const angle = f_.operands.data() + in.a;
+    T* const out = r_ + in.dst;
+    const std::size_t n = in.count / 2U;
+    std::size_t i = 0;
+    for (; i + 1 < n; i += 2) {
+      sines_and_cosines(r_[angle[i]], r_[angle[i + 1]], out + 2 * i);
+    }
+    if (i < n) {
+      T both[4];
+      sines_and_cosines(r_[angle[i]], r_[angle[i]], both);
+      std::copy_n(both, 2, out + 2 * i);
+    }
+  }
+
   std::uint32_t select(const Instruction& in) {
     const Select& s = f_.selects[in.b];
     const T condition = r_[s.condition];
@@ -162,7 +210,7 @@ class Machine {
     if constexpr (std::is_same_v<T, Interval>) {
       return hull(value, others);
     } else if constexpr (std::is_same_v<T, Trend>) {
-      return Trend::erratic(hull(value.v, others.v));
+      return Trend::erratic(hull(value.range(), others.range()));
     } else if (bit == zero_side) {
       return where(eq(condition, T(0)), value, others);
     } else {  // positive: neither negative nor zero, so that NaN counts as positive

@@ -34,7 +34,6 @@ Linear corner_function(const Cell& cell, int corner) {
   const int dz = corner >> 2;
   return {g[0] - dx * g[1] - dy * g[2] - dz * g[3], g[1], g[2], g[3]};
 }
-Ball between(double lo, double hi) { return {(lo + hi) / 2, (hi - lo) / 2}; }
 
 /// Range and slopes of the interpolated sum over a box inside one cell.
 struct Sum {
@@ -64,21 +63,35 @@ Sum sum_over(const Cell& cell, const Ball (&box)[3]) {
 /// Parts of an axis that lie in one cell each, as coordinate of the cell and position in it.
 struct AxisParts {
   int count = 0;
-  std::array<double, max_cells> lower{};
-  std::array<Ball, max_cells> f{};
+  std::array<double, max_cells> lower;
+  std::array<double, max_cells> middle;
+  std::array<double, max_cells> radius;
+
+  [[nodiscard]] Ball f(int i) const { return {middle[i], radius[i]}; }
 };
+/// The floor of a number that is not large, without a call.
+double floor_of(double v) {
+  const double n = simd::to_int32(v);
+  return n > v ? n - 1 : n;
+}
 AxisParts split(const Interval& x, double shift) {
   AxisParts parts;
-  double first = std::floor(x.lo + shift);
-  double last = std::floor(x.hi + shift);
-  if (last > first && x.hi + shift - last < sliver) --last;
-  if (last > first && first + 1 - (x.lo + shift) < sliver) ++first;
-  if (!(last - first < max_cells) || !(std::abs(first) < 1e9)) return parts;
+  const double lo = x.lo + shift;
+  const double hi = x.hi + shift;
+  if (!(std::abs(lo) < 1e9 && std::abs(hi) < 1e9)) return parts;
+  double first = floor_of(lo);
+  double last = floor_of(hi);
+  if (last > first && hi - last < sliver) --last;
+  if (last > first && first + 1 - lo < sliver) ++first;
+  if (!(last - first < max_cells)) return parts;
   parts.count = static_cast<int>(last - first) + 1;
   for (int i = 0; i < std::min(parts.count, max_cells); ++i) {
     const double n = first + i;
     parts.lower[i] = n - shift;
-    parts.f[i] = between(std::max(x.lo + shift - n, 0.0), std::min(x.hi + shift - n, 1.0));
+    const double from = std::max(lo - n, 0.0);
+    const double to = std::min(hi - n, 1.0);
+    parts.middle[i] = (from + to) / 2;
+    parts.radius[i] = (to - from) / 2;
   }
   return parts;
 }
@@ -110,7 +123,7 @@ std::optional<Sum> sum_over_cells(const Interval& x, const Interval& y, const In
       for (int k = 0; k < pz.count; ++k) {
         const Cell cell =
             cell_at(px.lower[i] + 0.5, py.lower[j] + 0.5, pz.lower[k] + 0.5, generator);
-        const Sum part = sum_over(cell, {px.f[i], py.f[j], pz.f[k]});
+        const Sum part = sum_over(cell, {px.f(i), py.f(j), pz.f(k)});
         sum = first ? part : hull(sum, part);
         first = false;
       }
@@ -139,31 +152,48 @@ Interval noise(Interval x, Interval y, Interval z, NoiseGenerator generator) {
   return r;
 }
 
-Trend noise(const Trend& x, const Trend& y, const Trend& z, NoiseGenerator generator) {
-  if (x.v.is_point() && y.v.is_point() && z.v.is_point()) {
-    return noise(dvec3(x.v.lo, y.v.lo, z.v.lo), generator);
+namespace {
+
+/// A formula with the value `v` and these slopes along its three arguments.
+Trend change_of(const Interval& v, const Trend::Slopes& slopes,
+                const std::array<const Trend*, 3>& arguments) {
+  Ranges sum;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Trend& a = *arguments[axis];
+    if (trend_detail::is_constant(a)) continue;
+    if (!a.is_bounded()) return Trend::erratic(v);
+    sum = sum + a.all() * slopes[axis];
   }
-  const std::optional<Sum> sum = sum_over_cells(x.v, y.v, z.v, generator);
+  return Trend(sum, v);
+}
+
+}  // namespace
+
+Trend noise(const Trend& x, const Trend& y, const Trend& z, NoiseGenerator generator) {
+  const Interval px = x.range();
+  const Interval py = y.range();
+  const Interval pz = z.range();
+  if (px.is_point() && py.is_point() && pz.is_point()) {
+    return noise(dvec3(px.lo, py.lo, pz.lo), generator);
+  }
+  const std::optional<Sum> sum = sum_over_cells(px, py, pz, generator);
   if (!sum) {
     // No slope of the noise is steeper than this (builtin-functions §8 measured 2.5).
     const Interval any{-4, 4};
-    Trend r(unknown_noise(x.v, y.v, z.v), {});
-    for (int i = 0; i < 3; ++i) r.d[i] = any * x.d[i] + any * y.d[i] + any * z.d[i];
-    return r.v.nan ? Trend::erratic(r.v) : r;
+    const Interval v = unknown_noise(px, py, pz);
+    return v.nan ? Trend::erratic(v) : change_of(v, {any, any, any}, {&x, &y, &z});
   }
-  Trend r(clamped_noise(sum->v, generator), {});
-  r.v.nan = x.v.nan || y.v.nan || z.v.nan;
+  Interval v = clamped_noise(sum->v, generator);
+  v.nan = px.nan || py.nan || pz.nan;
   const double scale = noise_scale(generator).scale;
   // Where the value is clamped it is flat.
-  const bool clamped = r.v.lo <= 0 || r.v.hi >= 1;
-  const std::array<const Trend*, 3> arguments{&x, &y, &z};
-  for (int axis = 0; axis < 3; ++axis) {
-    Interval slope = sum->d[axis] * Interval(scale);
-    if (clamped) slope = hull(slope, 0.0);
-    const Trend& a = *arguments[axis];
-    for (int i = 0; i < 3; ++i) r.d[i] += trend_detail::product(slope, a.d[i]);
+  const bool clamped = v.lo <= 0 || v.hi >= 1;
+  Trend::Slopes slopes{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    slopes[axis] = sum->d[axis] * Interval(scale);
+    if (clamped) slopes[axis] = hull(slopes[axis], 0.0);
   }
-  return r;
+  return change_of(v, slopes, {&x, &y, &z});
 }
 
 Dual noise(const Dual& x, const Dual& y, const Dual& z, NoiseGenerator generator) {

@@ -69,7 +69,7 @@ template <class Mask, class A, class B>
 }
 
 [[nodiscard]] inline Trend truncated32(const Trend& a) {
-  return trend_detail::steps(truncated32(a.v), a);
+  return trend_detail::steps(truncated32(a.range()), a);
 }
 
 // ---- remainder in [0, m), for m > 0
@@ -90,10 +90,12 @@ template <class T>
 // ---- scalar noise over each kind; generator already resolved to 0..3
 // ------------------------------
 [[nodiscard]] inline Trend positive_mod(const Trend& a, const Trend& m) {
-  const Interval v = positive_mod(a.v, m.v);
-  const bool whole = m.v.is_point() && m.v.lo > 0 && trend_detail::is_constant(m) && !a.v.nan &&
-                     std::floor(a.v.lo / m.v.lo) == std::floor(a.v.hi / m.v.lo);
-  return whole ? Trend{v, a.d} : Trend::erratic(v);
+  const Interval p = a.range();
+  const Interval q = m.range();
+  const Interval v = positive_mod(p, q);
+  const bool whole = q.is_point() && q.lo > 0 && trend_detail::is_constant(m) && !p.nan &&
+                     std::floor(p.lo / q.lo) == std::floor(p.hi / q.lo);
+  return whole ? Trend(a.all(), v) : Trend::erratic(v);
 }
 
 [[nodiscard]] Pack noise(const Pack& x, const Pack& y, const Pack& z, NoiseGenerator g);
@@ -109,7 +111,7 @@ template <class T>
   return p.is_point();
 }
 [[nodiscard]] inline bool is_uniform(const Trend& p, double& value) {
-  return is_uniform(p.v, value);
+  return is_uniform(p.range(), value);
 }
 [[nodiscard]] inline bool is_uniform(const Pack& p, double& value) {
   value = p.v[0];

@@ -10,7 +10,7 @@ namespace durer::functions {
 
 /// How many registers an instruction writes.
 [[nodiscard]] inline std::uint32_t results_of(const Instruction& in) {
-  return in.op == Op::call || in.op == Op::external ? in.count : 1;
+  return in.op == Op::call || in.op == Op::external || in.op == Op::waves ? in.count : 1;
 }
 
 /// Calls `use` with a reference to every register an instruction reads.
@@ -39,6 +39,7 @@ void for_operands(F& f, std::conditional_t<std::is_const_v<F>, const Instruction
       use(l.body.result);
       break;
     }
+    case Op::waves: listed(in.count / 2U); break;
     default: {
       const int arity = op_table[static_cast<std::size_t>(in.op)].arity;
       if (arity > 2) {

@@ -12,7 +12,7 @@
 
 namespace durer::functions {
 
-/// What an instruction does: an operation of ops.def, or one of the five that follow it.
+/// What an instruction does: an operation of ops.def, or one of those that follow it.
 enum class Op : std::uint16_t {
 #define DURER_OP(name, arity, expression, doc) name,
 #include "functions/ops.def"
@@ -22,6 +22,7 @@ enum class Op : std::uint16_t {
   external,  // a function from outside: pattern, pigment, spline
   select,    // select() whose sides hold instructions
   loop,      // sum() or prod()
+  waves,     // sines and cosines of several registers at once: see waves.h
 };
 
 /// Name, arity and meaning of the operations that are plain expressions.
@@ -42,11 +43,13 @@ using Register = std::uint32_t;
 /// One step. Registers are single-assignment; every instruction comes after those it reads.
 struct Instruction {
   Op op = Op::add;
-  std::uint16_t count = 0;  // plain: 0; internal: its number; call, external: number of results
+  /// Plain: 0; internal: its number; call, external, waves: number of results.
+  std::uint16_t count = 0;
   Register dst = 0;
   /// Plain operations with one or two operands: registers. With more: `a` is the first of their
   /// places in `operands`. internal, call, external: likewise, and `b` is the index of the callee.
   /// select, loop: `b` is the index in `selects` or `loops`.
+  /// waves: the sine and the cosine of half as many operands as there are results.
   std::uint32_t a = 0;
   std::uint32_t b = 0;
 };

@@ -1,7 +1,10 @@
 #include "image/codes.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <optional>
 
 #include "base/colour.h"
 #include "image/dither.h"
@@ -37,6 +40,43 @@ std::uint16_t code_of(float c, int channel, Depth depth, Ditherer& dither, ToFil
   return widened(code, depth);
 }
 
+/// Eight-bit codes without the curve: for each, the smallest number that gets it. The curve rises,
+/// so these are found by halving, and what is looked up is what would be computed.
+class CodeTable {
+ public:
+  template <typename CodeOf>
+  explicit CodeTable(const CodeOf& code_of) {
+    for (unsigned code = 1; code < least_.size(); ++code) {
+      std::uint32_t lo = 0;
+      std::uint32_t hi = std::bit_cast<std::uint32_t>(1.0F);
+      while (lo < hi) {  // positive numbers are ordered as their bits are
+        const std::uint32_t middle = (lo + hi) / 2;
+        if (code_of(std::bit_cast<float>(middle)) >= code) hi = middle;
+        else lo = middle + 1;
+      }
+      least_[code] = std::bit_cast<float>(lo);
+    }
+    unsigned code = 0;
+    for (std::size_t i = 0; i < first_.size(); ++i) {
+      const float begin = static_cast<float>(i) / steps;
+      while (code + 1 < least_.size() && least_[code + 1] <= begin) ++code;
+      first_[i] = static_cast<std::uint8_t>(code);
+    }
+  }
+  [[nodiscard]] unsigned code_of(float v) const {
+    if (!(v > 0)) return 0;
+    if (v >= 1) return 255;
+    unsigned code = first_[static_cast<std::size_t>(v * steps)];
+    while (code < 255 && v >= least_[code + 1]) ++code;
+    return code;
+  }
+
+ private:
+  static constexpr float steps = 4096;
+  std::array<float, 256> least_{};
+  std::array<std::uint8_t, 4097> first_{};
+};
+
 glm::vec3 rgb_of(std::span<const float, 4> pixel) { return {pixel[0], pixel[1], pixel[2]}; }
 
 /// Alpha as it goes into the file: highlights on glass stay visible (shading §1.7, step 1).
@@ -66,6 +106,11 @@ Codes to_codes(const Image& image, const Encoding& encoding, Depth depth, bool a
   out.values.reserve(image.pixels.size() / 4 * out.channels);
   Ditherer dither(encoding.dither, image.width);
   const auto to_file = [&](float v) { return stored(encoding, v); };
+  std::optional<CodeTable> table;
+  constexpr std::size_t worth_a_table = 50'000;  // numbers of a picture
+  if (dither.idle() && depth.bits == 8 && image.pixels.size() > worth_a_table) {
+    table.emplace([&](float v) { return rounded(to_file(v), depth); });
+  }
   const auto to_working = [&](float v) { return working(encoding, v); };
   const auto as_it_is = [](float v) { return v; };
   for (int y = 0; y < image.height; ++y) {
@@ -78,7 +123,8 @@ Codes to_codes(const Image& image, const Encoding& encoding, Depth depth, bool a
       if (encoding.greyscale) c = glm::vec3(luminance);
       if (alpha) c /= a == 0 ? 1e-6F : a;
       for (int i = 0; i < colours; ++i) {
-        out.values.push_back(code_of(c[i], i, depth, dither, to_file, to_working));
+        out.values.push_back(table ? static_cast<std::uint16_t>(table->code_of(c[i]))
+                                   : code_of(c[i], i, depth, dither, to_file, to_working));
       }
       if (alpha) out.values.push_back(code_of(a, colours, depth, dither, as_it_is, as_it_is));
     }

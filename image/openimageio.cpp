@@ -6,6 +6,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace durer::image {
@@ -69,6 +70,37 @@ bool take(OIIO::ImageInput& in, int channels, OIIO::TypeDesc type, std::vector<S
   return in.read_image(0, 0, 0, channels, type, out.data());
 }
 
+/// Bytes of RGBE files stand for the middle of an interval; OpenImageIO takes its lower end.
+void centre_mantissas(Picture& picture) {
+  for (std::size_t i = 0; i + 2 < picture.samples.size(); i += picture.channels) {
+    float* const c = &picture.samples[i];
+    const float most = std::max({c[0], c[1], c[2]});
+    if (!(most > 0)) continue;
+    int exponent = 0;
+    std::frexp(most, &exponent);
+    const float half = std::ldexp(0.5F, exponent - 8);
+    for (int k = 0; k < 3; ++k) c[k] += half;
+  }
+}
+
+/// TIFF files are read as libtiff shows them: in bytes, multiplied by alpha.
+void as_premultiplied_bytes(Picture& picture, bool straight) {
+  if (picture.bits == 16) {
+    for (std::uint16_t& c : picture.codes) c = static_cast<std::uint16_t>((c + 128U) / 257U);
+    picture.bits = 8;
+  }
+  if (picture.channels % 2 != 0) return;
+  picture.premultiplied = true;
+  if (!straight) return;
+  const std::size_t n = picture.channels;
+  for (std::size_t i = 0; i + n <= picture.codes.size(); i += n) {
+    const unsigned alpha = picture.codes[i + n - 1];
+    for (std::size_t k = i; k + 1 < i + n; ++k) {
+      picture.codes[k] = static_cast<std::uint16_t>((picture.codes[k] * alpha + 127) / 255);
+    }
+  }
+}
+
 PictureRead read_file(const std::string& path, const std::string& kind) {
   OIIO::ImageSpec as_stored;
   as_stored.attribute("oiio:UnassociatedAlpha", 1);  // do not multiply
@@ -99,6 +131,12 @@ PictureRead read_file(const std::string& path, const std::string& kind) {
     picture->codes.assign(bytes.begin(), bytes.end());
   }
   if (!whole) return {nullptr, failure(in->geterror()).error.value_or("")};
+  const std::string_view format = in->format_name();
+  if (format == "hdr") centre_mantissas(*picture);
+  if (format == "openexr") picture->premultiplied = channels % 2 == 0;
+  if (format == "tiff" && !picture->is_real()) {
+    as_premultiplied_bytes(*picture, spec.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0);
+  }
   return {std::move(picture), {}};
 }
 

@@ -41,7 +41,8 @@ struct Header {
     }
     h.bits = 8;
   }
-  if (h.colour_type != PNG_COLOR_TYPE_PALETTE) png_set_tRNS_to_alpha(png);
+  // A transparent colour that is no grey is passed over, as the oracle does.
+  if (h.colour_type == PNG_COLOR_TYPE_GRAY) png_set_tRNS_to_alpha(png);
   png_set_interlace_handling(png);
   png_read_update_info(png, info);
   h.stride = png_get_rowbytes(png, info);
@@ -88,6 +89,9 @@ PictureRead read_with(png_structp png, png_infop info, std::FILE* file,
     }
   }
   if (h.colour_type == PNG_COLOR_TYPE_PALETTE) copy_palette(png, info, *picture);
+  picture->weighed_grey = picture->bits == 8 && picture->channels == 1 && picture->palette.empty();
+  int intent = 0;
+  picture->file_srgb = png_get_sRGB(png, info, &intent) != 0;
   double gamma = 0;
   if (png_get_gAMA(png, info, &gamma) != 0 && gamma > 0) picture->file_gamma = 1 / gamma;
   return {std::move(picture), {}};

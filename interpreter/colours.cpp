@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/gamma.h"
+#include "interpreter/colour_form.h"
 #include "interpreter/interpreter.h"
 
 namespace durer::interpreter {
@@ -60,14 +61,6 @@ void Interpreter::continue_colour(Num& c) {
   }
 }
 
-namespace {
-/// How the operand of `rgb` and its like is read.
-struct ColourForm {
-  int wanted = 0;  // components; 0: no such word
-  bool moves_transmit = false;
-  bool is_srgb = false;
-};
-
 ColourForm colour_form(SymbolId word) {
   switch (word) {
     case w::rgb: return {3};
@@ -82,7 +75,6 @@ ColourForm colour_form(SymbolId word) {
   }
 }
 
-/// The colour that `n` means after a word of that form.
 Num to_colour(const Num& n, const ColourForm& form) {
   Num c = n;
   c.length = 5;
@@ -90,7 +82,6 @@ Num to_colour(const Num& n, const ColourForm& form) {
   if (form.moves_transmit) c.v[4] = std::exchange(c.v[3], 0);
   return c;
 }
-}  // namespace
 
 /// Warns of components that `rgb` or its like does not take.
 void Interpreter::check_components(const Num& n, int wanted, SymbolId word, Span span) {
@@ -137,7 +128,7 @@ Num Interpreter::read_colour_num(bool strict) {
 /// if it holds anything else.
 std::optional<Colour> Interpreter::quick_colour_block() {
   Frame& f = frames_.back();
-  if (unread_.size() > unread_base_ || !f.has_items() || f.pos >= f.end || version() < 150) {
+  if (unread_.size() > unread_base_ || !f.has_items() || f.pos >= f.end || !takes_shortcuts()) {
     return std::nullopt;
   }
   const ast::Tree& tree = *f.tree;

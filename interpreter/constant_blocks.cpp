@@ -52,26 +52,37 @@ bool is_constant(const ast::Tree& tree, ast::Range items) {
 /// The block that comes next, if it is constant and likely to come again.
 const ast::Group* Interpreter::constant_block() {
   const Frame& f = frames_.back();
-  if (repeats_ == 0 || unread_.size() > unread_base_ || !f.has_items() || f.pos >= f.end) {
+  if (repeats_ == 0 || !options_.shortcuts || unread_.size() > unread_base_ || !f.has_items() || f.pos >= f.end) {
     return nullptr;
   }
   const ast::Item& item = f.tree->items[f.pos];
   if (item.kind != ast::ItemKind::braces) return nullptr;
   const ast::Group& group = f.tree->groups[item.ref];
+  return is_constant_block(*f.tree, group) ? &group : nullptr;
+}
+
+bool Interpreter::is_constant_block(const ast::Tree& tree, const ast::Group& group) {
   const auto [known, is_new] = constant_.try_emplace(&group, false);
-  if (is_new) known->second = is_constant(*f.tree, group.items);
-  return known->second ? &group : nullptr;
+  if (is_new) known->second = is_constant(tree, group.items);
+  return known->second;
+}
+
+/// What the block has made of `start` before; null if that is not known.
+const Boxed<scene::Finish>* Interpreter::known_finish(const ast::Group& block,
+                                                      const Boxed<scene::Finish>& start) const {
+  const auto known = finishes_.find(FinishKey{&block, start.identity(), declared_version_});
+  return known == finishes_.end() ? nullptr : &known->second.made;
 }
 
 /// After the word `finish`: the finish that the block makes of `start`.
 Boxed<scene::Finish> Interpreter::read_shared_finish(const Boxed<scene::Finish>& start) {
   const ast::Group* block = constant_block();
   if (block == nullptr) return read_finish(*start);
-  const FinishKey key{block, start.identity(), declared_version_};
-  if (const auto known = finishes_.find(key); known != finishes_.end()) {
+  if (const Boxed<scene::Finish>* known = known_finish(*block, start)) {
     ++frames_.back().pos;
-    return known->second.made;
+    return *known;
   }
+  const FinishKey key{block, start.identity(), declared_version_};
   Boxed<scene::Finish> made = read_finish(*start);
   // Holding `start` keeps its identity from becoming that of another.
   finishes_.emplace(key, KnownFinish{start, made});

@@ -25,6 +25,7 @@ scene::Object Interpreter::read_listed(std::uint32_t type, const Token& word) {
     case w::sor: reader.sor(); break;
     default: reader.sphere_sweep(); break;
   }
+  reader.finish();
   check_operands(*registry_.primitives[type], o.args, word);
   return o;
 }

@@ -60,8 +60,19 @@ void Interpreter::store(Value& target, Value value, bool is_element, const Array
 /// In loops and macros: assigns the result of compiled code to a variable that holds a number or a
 /// string, or to a new one. False, with nothing done, if it is anything else.
 bool Interpreter::quick_assign(const ast::Tree& tree, const ast::Declare& node) {
-  if (repeats_ == 0 || node.value == ast::none || node.place != ast::none) return false;
-  if (node.subscripts.count > 0 || node.deprecated || !node.semicolon) return false;
+  if (repeats_ == 0 || !assigns_variable(node)) return false;
+  if (tree.exprs[node.value].height < 2 || !takes_shortcuts()) return false;
+  Formula* const formula = formula_of(tree, node.value);
+  return formula != nullptr && quick_assign(node, *formula);
+}
+
+/// `#local Name = expression;` and nothing more.
+bool Interpreter::assigns_variable(const ast::Declare& node) {
+  return node.value != ast::none && node.place == ast::none && node.subscripts.count == 0 &&
+         !node.deprecated && node.semicolon;
+}
+
+bool Interpreter::quick_assign(const ast::Declare& node, Formula& formula) {
   if (additions_ && grammar::SymbolTable::added(node.name)) return false;
   const auto is_plain = [](const Value* v) {
     return v != nullptr && (v->is_num() || v->get<Shared<Text>>() != nullptr);
@@ -74,7 +85,7 @@ bool Interpreter::quick_assign(const ast::Tree& tree, const ast::Declare& node) 
   } else if (slot->deprecated || !slot->path.empty() || !is_plain(Environment::value_of(slot))) {
     return false;
   }
-  const Operand* result = quick(tree, node.value, 1);
+  const Operand* result = run_formula(formula, 1);
   if (result == nullptr) return false;
   if (slot == nullptr) {
     slot = &env_.in_scope(node.name, node.local ? env_.scope() : 0);
@@ -121,7 +132,12 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
   // is still open then. The old value stays visible while the new one is worked out.
   const std::uint32_t scope = env_.scope();
   Slot* const existing = node.local ? env_.find_in_scope(node.name, scope) : env_.find(node.name);
-  if (node.subscripts.count == 0) check_may_change(env_.find(node.name), node.target);
+  if (node.subscripts.count == 0) check_may_change(env_.find(node.name), node.target, node.local);
+  // Subscripts are what they are before the value, which may come from a macro with names of its own.
+  std::optional<Subscripts> at;
+  if (node.subscripts.count > 0 && node.place == ast::none && !additions_) {
+    at = read_subscripts(tree, node.subscripts);
+  }
   Value value;
   bool semicolon = node.semicolon;
   if (node.value != ast::none) {
@@ -136,7 +152,7 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
   }
   if (!semicolon && value.get<Num>() != nullptr) missing_semicolon(node, *value.get<Num>());
 
-  assign(tree, node, std::move(value), scope, existing);
+  assign(tree, node, std::move(value), scope, existing, at ? &*at : nullptr);
 } catch (const Failure&) {
   poison(node.name, node.local ? env_.scope() : 0, true);
   throw;
@@ -144,7 +160,7 @@ void Interpreter::run(const ast::Tree& tree, const ast::Directive& d, const ast:
 
 /// Puts `value` where the directive says; `existing` is the slot that it overwrites, if there is one.
 void Interpreter::assign(const ast::Tree& tree, const ast::Declare& node, Value value,
-                         std::uint32_t scope, Slot* existing) {
+                         std::uint32_t scope, Slot* existing, const Subscripts* at) {
   if (node.place != ast::none) return assign_place(tree, node, std::move(value));
   if (node.subscripts.count > 0) {
     Slot* slot = env_.find(node.name);
@@ -162,8 +178,8 @@ void Interpreter::assign(const ast::Tree& tree, const ast::Declare& node, Value 
       return check_kind(first, **array, value, node.target);
     }
     if (additions_) return assign_place(tree, node, std::move(value));
-    Value* target =
-        element(node.name, read_subscripts(tree, node.subscripts), node.target, true, false);
+    Value* target = element(node.name, at != nullptr ? *at : read_subscripts(tree, node.subscripts),
+                            node.target, true, false);
     if (target->get<Shared<UserFunction>>() != nullptr) function_stays(node.name, node.target);
     store(*target, std::move(value), true, array->get(), node.target);
     return;

@@ -38,14 +38,16 @@ Value* Environment::referred(Slot* slot) {
   return v;
 }
 
-Slot& Environment::make() {
-  if (free_.empty()) return slots_.emplace_back();
-  Slot* slot = free_.back();
-  free_.pop_back();
-  return *slot;  // close_scope has emptied it
+void Environment::link(Slot& slot, SymbolId name) {
+  const std::uint32_t innermost = scope();
+  if (innermost == 0 || name >= visible_.size()) return link(slot, name, innermost);
+  // Nothing can be in a newer scope.
+  slot.name = name;
+  slot.scope = innermost;
+  slot.below = visible_[name];
+  visible_[name] = &slot;
+  owned_.push_back(&slot);
 }
-
-void Environment::link(Slot& slot, SymbolId name) { link(slot, name, scope()); }
 
 void Environment::link(Slot& slot, SymbolId name, std::uint32_t scope) {
   if (name >= visible_.size()) visible_.resize(name + 64, nullptr);

@@ -62,7 +62,12 @@ class Environment {
   /// A slot in the outermost scope, for macros and file handles.
   Slot& for_global(SymbolId name) { return in_scope(name, 0); }
   /// A slot that has no name yet: it may be filled before the scope opens where it belongs.
-  Slot& make();
+  Slot& make() {
+    if (free_.empty()) return slots_.emplace_back();
+    Slot* slot = free_.back();
+    free_.pop_back();
+    return *slot;  // close_scope has emptied it
+  }
   /// Puts it into the current scope, hiding any other of the name (macro parameters).
   void link(Slot& slot, SymbolId name);
 

@@ -275,20 +275,23 @@ Formula& Interpreter::new_formula(const ast::Tree& tree, ast::ExprId id) {
   return *formulas[id];
 }
 
-const Operand* Interpreter::quick(const ast::Tree& tree, ast::ExprId id, int want) {
-  // What runs once is not worth compiling, and a single operand is as quick to look up.
-  if (repeats_ == 0 || tree.exprs[id].height < 2 || version() < 150) return nullptr;
+/// The formula of an expression, null if it has none.
+Formula* Interpreter::formula_of(const ast::Tree& tree, ast::ExprId id) {
   const std::vector<Formula*>& formulas = formulas_of_[tree.file];
   Formula* const known = formulas.empty() ? nullptr : formulas[id];
   Formula& formula = known != nullptr ? *known : new_formula(tree, id);
-  if (formula.ops.empty()) return nullptr;
-  if (formula.calls_functions) workspace_.context.noise_generator = noise_generator();
-  if (const Operand* result = machine_.run(formula, want)) {
-    turns_ += formula.calls;
-    if (peek_ != nullptr) machine_.tell_draws(*peek_);
-    if (!formula.shines_through && !result->is_text()) machine_.clear_beyond_length();
-    return result;
-  }
+  return formula.ops.empty() ? nullptr : &formula;
+}
+
+const Operand* Interpreter::quick(const ast::Tree& tree, ast::ExprId id, int want) {
+  // What runs once is not worth compiling, and a single operand is as quick to look up.
+  if (repeats_ == 0 || tree.exprs[id].height < 2 || !takes_shortcuts()) return nullptr;
+  Formula* const formula = formula_of(tree, id);
+  return formula == nullptr ? nullptr : run_formula(*formula, want);
+}
+
+/// A formula has given up: after a few times it is not tried any more.
+const Operand* Interpreter::note_failure(Formula& formula) {
   constexpr std::uint8_t enough = 8;
   if (++formula.failures == enough) formula.ops.clear();
   return nullptr;

@@ -122,13 +122,6 @@ Interpreter::Flow Interpreter::run(const ast::Tree& tree, const ast::Directive& 
 }
 
 namespace {
-/// The number that the expression is, in parentheses or not; null if it has to be worked out.
-const double* literal(const ast::Tree& tree, ast::ExprId id) {
-  while (const auto* p = std::get_if<ast::Paren>(&tree.exprs[id].node)) id = p->inner;
-  const auto* n = std::get_if<ast::Number>(&tree.exprs[id].node);
-  return n == nullptr ? nullptr : &n->value;
-}
-
 bool all_statements(const ast::Tree& tree, const ast::Switch& node) {
   for (std::uint32_t i = 0; i < node.cases.count; ++i) {
     if (tree.cases[node.cases.first + i].items.shape != Shape::statements) return false;
@@ -170,6 +163,30 @@ Interpreter::Flow Interpreter::run(const ast::Tree& tree, const ast::Directive& 
   return Flow::normal;
 }
 
+/// The same of a switch that was planned; false, with nothing done, if its value is unusual.
+bool Interpreter::run_switch(const ast::Tree& tree, const SwitchPlan& plan) {
+  const Operand* value = run_formula(*plan.value, 1);
+  if (value == nullptr || value->is_text()) return false;
+  const ast::Directive& d = tree.directives[plan.directive];
+  const auto& node = std::get<ast::Switch>(d.node);
+  ++frames_.back().pos;
+  for (std::uint32_t i = 0; i < node.cases.count; ++i) {
+    if (plan.cases[i] && !(std::abs(value->v[0] - *plan.cases[i]) < epsilon)) continue;
+    const bool flatten = frames_.back().flatten;
+    Frame& f = push(Frame::Kind::switch_, d.span);
+    const ast::Range items = tree.cases[node.cases.first + i].items;
+    f.flatten = flatten;
+    f.tree = &tree;
+    f.first = items.first;
+    f.pos = items.first;
+    f.end = items.first + items.count;
+    f.node = plan.directive;
+    f.next_case = i + 1;
+    break;
+  }
+  return true;
+}
+
 // ---- loops ------------------------------------------------------------------------------------
 
 Interpreter::Flow Interpreter::run(const ast::Tree& tree, const ast::Directive& d,
@@ -198,7 +215,7 @@ Interpreter::Flow Interpreter::run(const ast::Tree& tree, const ast::Directive& 
   if (std::abs(step) < epsilon) {
     fail(Code::out_of_range, d.span, "the step of `#for` is zero", "give a step other than 0");
   }
-  check_may_change(env_.find(node.name), d.span);
+  check_may_change(env_.find(node.name), d.span, true);
   Slot& slot = env_.for_local(node.name);
   Environment::value_of(&slot)->set(Num(start));
   if (!(step > 0 ? start < end + epsilon : start > end - epsilon)) return Flow::normal;
@@ -338,7 +355,7 @@ void Interpreter::default_block() {
     } else if (t.is(grammar::words::camera)) {
       default_camera_ = read_camera(t.span);
     } else if (t.is(grammar::words::radiosity)) {
-      not_supported("radiosity in #default", t.span);
+      default_importance_ = read_importance(t);
     } else {
       unexpected(t, "`texture`, `pigment`, `normal`, `finish` or `camera` in `#default`");
     }

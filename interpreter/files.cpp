@@ -47,6 +47,7 @@ void Interpreter::open_file(Span span) {
     file = std::make_shared<DataFile>(*found, DataFile::Mode::read);
   } else if (mode.is(w::write) || mode.is(w::append)) {
     check_writable(path, span);
+    forget_text(path);
     file = std::make_shared<DataFile>(
         path, mode.is(w::write) ? DataFile::Mode::write : DataFile::Mode::append);
   } else {

@@ -43,6 +43,8 @@ scene::Finish Interpreter::read_finish(scene::Finish f) {
         f.diffuse_back = 0;
         optional_comma();
         if (starts_number(peek())) f.diffuse_back = number();
+        f.indirect = f.diffuse;
+        f.indirect_back = f.diffuse_back;
         break;
       case w::brilliance: f.brilliance = number(); break;
       case w::phong:
@@ -185,15 +187,20 @@ scene::InteriorId Interpreter::read_interior() {
       case w::fade_color:
       case w::fade_colour: i.fade_colour = read_rgb(); break;
       case w::refraction: i.refraction = static_cast<float>(read_float()); break;
-      case w::media:
-        i.unsupported = "`media`";
-        expect_open("media");
-        skip_block();
-        break;
+      case w::media: i.media.edit().push_back(read_media(t.span)); break;
       default: bad_setting(t, "interior", opened, settings);
     }
   }
   scene_.interiors.push_back(std::move(i));
+  return static_cast<scene::InteriorId>(scene_.interiors.size() - 1);
+}
+
+/// An interior as it is after a transformation; itself if it has nothing to be moved.
+scene::InteriorId Interpreter::moved_interior(scene::InteriorId id, const Transform& by) {
+  if (id == scene::none || scene_.interiors[id].media->empty()) return id;
+  scene::Interior moved = scene_.interiors[id];
+  for (scene::Media& m : moved.media.edit()) move_densities(m, by);
+  scene_.interiors.push_back(std::move(moved));
   return static_cast<scene::InteriorId>(scene_.interiors.size() - 1);
 }
 
@@ -216,8 +223,9 @@ Material Interpreter::read_material() {
       continue;
     }
     if (const auto transform = read_transformation(t)) {
-      // Moves the texture, not the interior texture (textures §14.3).
+      // Moves the texture and what is inside, but not the interior texture (textures §14.3).
       texture.transform = texture.transform.then(*transform);
+      m.interior = moved_interior(m.interior, *transform);
       continue;
     }
     if (t.is(w::texture)) {

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <vector>
 
 #include "functions/evaluate.h"
@@ -18,6 +19,10 @@
 #include "interpreter/environment.h"
 
 namespace durer::interpreter {
+
+struct FloatFunction;
+struct StraightCode;
+struct StraightOp;
 
 /// How deep the stack of the machine is, how many names macros in line may have, and how many draws
 /// of `rand` can be taken back.
@@ -75,6 +80,7 @@ struct FormulaOp {
     double value = 0;
     const Text* text;
     const ast::Macro* macro;
+    const FloatFunction* function;
   };
 };
 
@@ -88,6 +94,10 @@ struct Formula {
   bool shines_through = false;
   /// How often the machine had to give up; after a few times it is not tried any more.
   std::uint8_t failures = 0;
+  /// The same for the kinds of operands that it meets; made anew a few times if they change.
+  std::shared_ptr<const StraightCode> straight;
+  std::uint8_t straightened = 0;  // how often it was made
+  int straight_wanted = 0;        // for a place that wants so many components
 };
 
 /// What is known when a formula is compiled.
@@ -130,27 +140,38 @@ class FormulaMachine {
                  functions::Workspace& workspace)
       : env_(env), streams_(streams), workspace_(workspace) {}
 
-  /// The result, valid until the next run; null, with no effect, if the tree must be walked.
+  /// The result, valid until the next run, with nothing behind its length unless it shines through; null, with no effect, if the tree must be walked.
   /// `wanted`: how many components the place wants; 1 also means "any".
-  [[nodiscard]] const Operand* run(const Formula& formula, int wanted);
+  [[nodiscard]] const Operand* run(Formula& formula, int wanted) {
+    drawn_ = 0;
+    const bool straight = formula.straight != nullptr && formula.straight_wanted == wanted;
+    return straight && run_straight(*formula.straight) ? stack_.data()
+                                                       : run_unsettled(formula, wanted, straight);
+  }
   /// Takes the text of the last result, if it was a string.
   void take_text(Text& out);
-  void clear_beyond_length() {
-    Operand& result = stack_[0];
-    for (auto i = static_cast<std::size_t>(result.length); i < 5; ++i) result.v[i] = 0;
-  }
   /// What the last run drew, in order.
   void tell_draws(std::vector<Draw>& out) const {
+    if (drawn_ == 0) return;
     out.insert(out.end(), draws_.begin(), draws_.begin() + static_cast<std::ptrdiff_t>(drawn_));
   }
 
  private:
+  const Operand* run_unsettled(Formula& formula, int wanted, bool failed);
+  bool run_straight(const StraightCode& code);
+  bool run_operations(const StraightCode& code);
+  bool load_element(const StraightOp& op, double* first) const;
+  bool draw_number(double& stream);
+  void take_draws_back();
   bool execute(const Formula& formula, int wanted);
+  void clear_beyond_length() {
+    Operand& result = stack_[0];
+    for (auto i = static_cast<std::size_t>(result.length); i < 5; ++i) result.v[i] = 0;
+  }
   bool apply(FormulaOp::Kind kind, Operand& left, Operand& right, int wanted);
   bool element(const FormulaOp& op, Operand* first, int wanted) const;
   bool call_string(const FormulaOp& op, Operand* first, int wanted);
   bool call_user(const FormulaOp& op, Operand* first, int wanted);
-  bool draw_number(Operand& stream, int wanted);
   [[nodiscard]] Text& buffer(const Operand* operand) {
     return buffers_[static_cast<std::size_t>(operand - stack_.data())];
   }
@@ -163,6 +184,9 @@ class FormulaMachine {
   std::array<Operand, formula_locals> locals_{};
   std::array<Text, formula_stack> buffers_;  // of results that are strings, by place on the stack
   std::array<Text, formula_locals> local_texts_;
+  // Straight code: the components of all operands, one after the other.
+  std::array<double, formula_stack * 5> lanes_{};
+  std::array<std::array<double, 5>, formula_locals> local_lanes_{};
   std::array<Draw, formula_draws> draws_{};
   std::size_t drawn_ = 0;
 };

@@ -1,6 +1,7 @@
 // From the syntax tree of an expression to the code of the formula machine.
 #include <algorithm>
 
+#include "interpreter/float_functions.h"
 #include "interpreter/formula.h"
 #include "interpreter/value.h"
 
@@ -19,35 +20,8 @@ struct Arity {
 };
 
 Arity arity_of_float_function(SymbolId function) {
-  switch (function) {
-    case w::abs:
-    case w::acos:
-    case w::asin:
-    case w::atan:
-    case w::ceil:
-    case w::cos:
-    case w::cosh:
-    case w::degrees:
-    case w::exp:
-    case w::floor:
-    case w::int_:
-    case w::ln:
-    case w::log:
-    case w::radians:
-    case w::sin:
-    case w::sinh:
-    case w::sqrt:
-    case w::tan:
-    case w::tanh: return {1, 1};
-    case w::atan2:
-    case w::div:
-    case w::mod:
-    case w::pow: return {2, 2};
-    case w::max:
-    case w::min: return {1, 8};
-    case w::select: return {3, 4};
-    default: return {};
-  }
+  const FloatFunction* f = float_function(function);
+  return f == nullptr ? Arity{} : Arity{f->least, f->most};
 }
 
 Arity arity_of_vector_function(SymbolId function) {
@@ -280,7 +254,9 @@ class Compiler {
     // `select` hands its own length on to what it chooses from.
     if (function == w::select && want != 1) return false;
     if (fits(arity_of_float_function(function))) {
-      return list(c.args) && reduce(Kind::function, want, c.args.count, function);
+      if (!list(c.args) || !reduce(Kind::function, want, c.args.count, function)) return false;
+      formula_.ops.back().function = float_function(function);
+      return true;
     }
     if (fits(arity_of_vector_function(function))) {
       return whole_list(c.args, 3) && reduce(Kind::geometry, want, c.args.count, function);

@@ -4,7 +4,10 @@
 #include <glm/geometric.hpp>
 
 #include "interpreter/arguments.h"
+#include "interpreter/float_functions.h"
 #include "interpreter/formula.h"
+#include "interpreter/formula_operators.h"
+#include "interpreter/formula_straight.h"
 #include "interpreter/user_function.h"
 #include "interpreter/value.h"
 
@@ -13,8 +16,6 @@ namespace {
 
 namespace w = grammar::words;
 using Kind = FormulaOp::Kind;
-
-inline double truth(bool b) { return b ? 1.0 : 0.0; }
 
 inline void set_float(Operand& o, double x, int wanted) {
   o.v[0] = x;
@@ -52,12 +53,6 @@ inline bool set_value(Operand& o, const Value* v, int wanted) {
   return text != nullptr;
 }
 
-inline const Value* value_of(const Environment& env, SymbolId name) {
-  Slot* slot = env.find(name);
-  // Whoever uses a deprecated name is told.
-  return slot == nullptr || slot->deprecated ? nullptr : Environment::value_of(slot);
-}
-
 inline bool is_float(const Operand& o) { return o.length == 1; }
 
 bool are_floats(const Operand* first, std::size_t count) {
@@ -69,65 +64,6 @@ void stretch(Operand& o, int to) {
     o.v[static_cast<std::size_t>(i)] = o.length == 1 ? o.v[0] : 0;
   }
   o.length = to;
-}
-
-/// False where the division must be told.
-inline bool apply_floats(Kind kind, double a, double b, double& out) {
-  switch (kind) {
-    case Kind::add: out = a + b; return true;
-    case Kind::sub: out = a - b; return true;
-    case Kind::mul: out = a * b; return true;
-    case Kind::div: out = a / b; return b != 0;
-    case Kind::lt: out = truth(a < b); return true;
-    case Kind::le: out = truth(a < b || nearly_equal(a, b)); return true;
-    case Kind::eq: out = truth(nearly_equal(a, b)); return true;
-    case Kind::ne: out = truth(!nearly_equal(a, b)); return true;
-    case Kind::ge: out = truth(a > b || nearly_equal(a, b)); return true;
-    case Kind::gt: out = truth(a > b); return true;
-    case Kind::and_: out = truth(std::abs(a) > epsilon && std::abs(b) > epsilon); return true;
-    case Kind::or_: out = truth(std::abs(a) > epsilon || std::abs(b) > epsilon); return true;
-    default: return false;
-  }
-}
-
-/// `a` are the arguments, floats; false if the function has no value there, or something to tell.
-bool apply_function(SymbolId function, const Operand* a, std::size_t count, double& out) {
-  const double x = a[0].v[0];
-  const double y = count > 1 ? a[1].v[0] : 0;
-  switch (function) {
-    case w::abs: out = std::abs(x); return true;
-    case w::acos: out = std::acos(x); return !(x < -1 || x > 1);
-    case w::asin: out = std::asin(x); return !(x < -1 || x > 1);
-    case w::atan: out = std::atan(x); return true;
-    case w::ceil: out = std::ceil(x); return true;
-    case w::cos: out = std::cos(x); return true;
-    case w::cosh: out = std::cosh(x); return true;
-    case w::degrees: out = x / radians_per_degree; return true;
-    case w::exp: out = std::exp(x); return true;
-    case w::floor: out = std::floor(x); return true;
-    case w::int_: out = to_int(x); return true;
-    case w::ln: out = std::log(x); return !(x <= 0);
-    case w::log: out = std::log10(x); return !(x <= 0);
-    case w::radians: out = x * radians_per_degree; return true;
-    case w::sin: out = std::sin(x); return true;
-    case w::sinh: out = std::sinh(x); return true;
-    case w::sqrt: out = std::sqrt(x); return !(x < 0);
-    case w::tan: out = std::tan(x); return true;
-    case w::tanh: out = std::tanh(x); return true;
-    case w::atan2: out = std::atan2(x, y); return std::abs(x) > epsilon || std::abs(y) > epsilon;
-    case w::div: out = to_int(x / y); return true;
-    case w::mod: out = std::fmod(x, y); return true;
-    case w::pow: out = std::pow(x, y); return x != 0 || y != 0;
-    case w::max:
-    case w::min:
-      out = x;
-      for (std::size_t i = 1; i < count; ++i) {
-        out = function == w::max ? std::max(out, a[i].v[0]) : std::min(out, a[i].v[0]);
-      }
-      return true;
-    case w::select: out = a[x < 0 ? 1 : x == 0 || count == 3 ? 2 : 3].v[0]; return true;
-    default: return false;
-  }
 }
 
 /// Functions of vectors; the arguments have been read where three components were wanted.
@@ -145,11 +81,32 @@ bool apply_geometry(SymbolId function, Operand* a, int wanted) {
 
 }  // namespace
 
-const Operand* FormulaMachine::run(const Formula& formula, int wanted) {
-  drawn_ = 0;
-  if (execute(formula, wanted)) return stack_.data();
-  for (; drawn_ > 0; --drawn_) streams_[draws_[drawn_ - 1].stream] = draws_[drawn_ - 1].before;
+/// The general way, and straight code if it is worth while to make some. `failed`: what there was
+/// did not do.
+const Operand* FormulaMachine::run_unsettled(Formula& formula, int wanted, bool failed) {
+  constexpr std::uint8_t enough = 4;
+  if (failed) {
+    take_draws_back();
+    formula.straight = nullptr;  // something is of another kind now
+  }
+  if (formula.ops.empty()) return nullptr;  // it has given up too often
+  if (formula.straight == nullptr && formula.straightened < enough) {
+    formula.straight = straighten(formula, env_, wanted);
+    formula.straight_wanted = wanted;
+    formula.straightened = formula.straight == nullptr
+                               ? enough
+                               : static_cast<std::uint8_t>(formula.straightened + 1);
+  }
+  if (execute(formula, wanted)) {
+    if (!formula.shines_through && !stack_[0].is_text()) clear_beyond_length();
+    return stack_.data();
+  }
+  take_draws_back();
   return nullptr;
+}
+
+void FormulaMachine::take_draws_back() {
+  for (; drawn_ > 0; --drawn_) streams_[draws_[drawn_ - 1].stream] = draws_[drawn_ - 1].before;
 }
 
 void FormulaMachine::take_text(Text& out) {
@@ -279,8 +236,11 @@ bool FormulaMachine::execute(const Formula& formula, int given) {
       case Kind::function: {
         const int n = wanted(op);
         top -= op.count - 1;
+        if (!are_floats(top, op.count)) return false;
+        std::array<double, formula_stack> arguments;  // NOLINT: filled as far as used
+        for (std::size_t i = 0; i < op.count; ++i) arguments[i] = top[i].v[0];
         double x = 0;
-        if (!are_floats(top, op.count) || !apply_function(op.name, top, op.count, x)) return false;
+        if (!op.function->apply(arguments.data(), op.count, x)) return false;
         set_float(*top, x, n);
         break;
       }
@@ -300,7 +260,8 @@ bool FormulaMachine::execute(const Formula& formula, int given) {
         break;
       }
       case Kind::rand:
-        if (!is_float(*top) || !draw_number(*top, wanted(op))) return false;
+        if (!is_float(*top) || !draw_number(top->v[0])) return false;
+        set_float(*top, top->v[0], wanted(op));
         break;
       case Kind::user_function: {
         // Without arguments the result is a new operand.
@@ -309,24 +270,15 @@ bool FormulaMachine::execute(const Formula& formula, int given) {
         if (!are_floats(top, op.count) || !call_user(op, top, n)) return false;
         break;
       }
-      case Kind::is_macro: {
-        const Value* v = value_of(env_, op.name);
-        const MacroRef* ref = v == nullptr ? nullptr : v->get<MacroRef>();
-        if (ref == nullptr || ref->macro != op.macro) return false;
+      case Kind::is_macro:
+        if (!is_still_macro(env_, op.name, op.macro)) return false;
         break;
-      }
-      case Kind::is_free: {
-        Slot* slot = env_.find(op.name);
-        if (slot == nullptr) break;
-        const Value* v = value_of(env_, op.name);
-        if (v == nullptr || (!v->is_num() && v->get<Shared<Text>>() == nullptr)) return false;
+      case Kind::is_free:
+        if (!may_be_hidden(env_, op.name)) return false;
         break;
-      }
-      case Kind::exists: {
-        const Value* v = value_of(env_, op.name);
-        if (v == nullptr || !v->defined()) return false;
+      case Kind::exists:
+        if (!has_value(env_, op.name)) return false;
         break;
-      }
       case Kind::set_local: {
         Operand& local = locals_[op.count];
         if (top->is_text()) {
@@ -387,12 +339,13 @@ bool FormulaMachine::element(const FormulaOp& op, Operand* first, int wanted) co
   return set_value(*first, &(*array)->elements[flat], wanted);
 }
 
-bool FormulaMachine::draw_number(Operand& stream, int wanted) {
-  const std::int32_t i = to_int(stream.v[0]);
+/// The next number of the stream takes its place.
+bool FormulaMachine::draw_number(double& stream) {
+  const std::int32_t i = to_int(stream);
   if (i < 0 || static_cast<std::size_t>(i) >= streams_.size()) return false;
   std::uint32_t& state = streams_[static_cast<std::size_t>(i)];
   draws_[drawn_++] = {static_cast<std::size_t>(i), state};
-  set_float(stream, draw(state), wanted);
+  stream = draw(state);
   return true;
 }
 

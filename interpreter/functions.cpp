@@ -33,15 +33,22 @@ std::string argument_count(std::size_t n) {
 }
 
 /// Functions, macros and open files must be undefined before their names get another meaning, even
-/// in an inner scope (language §4.3).
-void Interpreter::check_may_change(Slot* slot, Span span) {
+/// in an inner scope (language §4.3). Only the `#local`s of our own library may hide them: its macros
+/// cannot know what names a scene has given to functions.
+void Interpreter::check_may_change(Slot* slot, Span span, bool local) {
   const Value* v = Environment::value_of(slot);
   if (v == nullptr || v->is_num()) return;
+  if (local && slot->scope != env_.scope() && in_library(span)) return;
   if (v->get<Shared<UserFunction>>() != nullptr) function_stays(slot->name, span);
   if (v->get<MacroRef>() == nullptr && v->get<std::shared_ptr<DataFile>>() == nullptr) return;
   fail(Code::wrong_kind, span,
        fmt::format("`{}` is {} and cannot become a variable", name_of(slot->name), kind_name(*v)),
        fmt::format("`#undef {}` first, or choose another name", name_of(slot->name)));
+}
+
+bool Interpreter::in_library(Span span) const {
+  if (options_.stdlib_path.empty() || span.begin == 0) return false;
+  return sources_.path(sources_.file_of(span.begin)).starts_with(options_.stdlib_path);
 }
 
 void Interpreter::function_stays(SymbolId name, Span span) {

@@ -38,6 +38,15 @@ const ast::Tree& Interpreter::load(const std::string& name, Span span) {
   return *trees_.emplace(key, std::move(tree)).first->second;
 }
 
+/// A file that is written may be included again: what was read of it before is not its text any more.
+void Interpreter::forget_text(const std::string& path) {
+  std::error_code error;
+  const auto it = trees_.find(fs::weakly_canonical(path, error).string());
+  if (it == trees_.end()) return;
+  main_trees_.push_back(std::move(it->second));  // macros and functions may still refer to it
+  trees_.erase(it);
+}
+
 void Interpreter::include(const std::string& name, Span span) {
   std::size_t open = 0;
   for (const Frame& f : frames_) open += f.kind == Frame::Kind::file ? 1 : 0;

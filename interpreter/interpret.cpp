@@ -92,6 +92,7 @@ scene::OriginId Interpreter::call_origin() {
   for (std::size_t i = known; i < frames_.size(); ++i) {
     Frame& f = frames_[i];
     if (!is_call(f)) continue;
+    make_room(scene_.origins);
     scene_.origins.push_back({f.call, parent});
     f.origin = static_cast<scene::OriginId>(scene_.origins.size() - 1);
     f.has_origin = true;
@@ -102,6 +103,7 @@ scene::OriginId Interpreter::call_origin() {
 
 scene::OriginId Interpreter::origin(Span span) {
   const scene::OriginId parent = call_origin();
+  make_room(scene_.origins);
   scene_.origins.push_back({span, parent});
   return static_cast<scene::OriginId>(scene_.origins.size() - 1);
 }
@@ -110,6 +112,7 @@ void Interpreter::remember(const ast::Tree& tree) {
   if (tree.file >= tree_of_.size()) tree_of_.resize(tree.file + 1);
   tree_of_[tree.file] = &tree;
   formulas_of_.resize(tree_of_.size());
+  statements_of_.resize(tree_of_.size());
 }
 
 // ---- the scene
@@ -120,6 +123,7 @@ void Interpreter::add_root(scene::ObjectId id) { scene_.roots.push_back({id, def
 void Interpreter::top_level() {
   for (;;) {
     reading_depth_ = no_reader;
+    run_ahead(nullptr);
     const Token t = next();
     if (t.kind == Token::Kind::end) return;
     if (t.is_punct(';')) continue;
@@ -166,7 +170,7 @@ void Interpreter::top_level() {
         break;
       case w::fog: scene_.fogs.push_back(read_fog(t.span)); break;
       case w::rainbow: scene_.rainbows.push_back(read_rainbow(t.span)); break;
-      case w::media: not_supported(fmt::format("`{}`", name_of(t.word)), t.span);
+      case w::media: scene_.atmosphere.push_back(read_media(t.span)); break;
       default: unexpected(t, "an object or directive");
     }
   }

@@ -62,6 +62,9 @@ struct Options {
   bool confined = false;
   std::vector<std::string> writable;
   bool output_alpha = false;
+  /// Take the shorter ways: compiled formulas, prepared statements, blocks read once. They change
+  /// nothing but the time it takes; without them tests see the long way.
+  bool shortcuts = true;
   /// Answers `trace`, `inside` and the extents; without it they are errors.
   scene::ObjectQueries* queries = nullptr;
   /// Evaluates the patterns and pigments of functions; without it they are errors.

@@ -22,14 +22,27 @@
 #include "interpreter/formula.h"
 #include "interpreter/interpret.h"
 #include "interpreter/plain_look.h"
+#include "interpreter/statements.h"
 #include "interpreter/stream.h"
 #include "interpreter/value.h"
 #include "scene/scene.h"
 
 namespace durer::interpreter {
 
+/// Moves everything in a medium that has a place.
+void move_densities(scene::Media& media, const Transform& by);
+
 class Font;
+struct PictureFile;
 class MeshBuilder;
+
+/// Before one more comes into a list that may grow long. Moving what it holds costs more than room
+/// that is never touched.
+template <typename T>
+void make_room(std::vector<T>& list) {
+  constexpr std::size_t least = 64;
+  if (list.size() == list.capacity()) list.reserve(4 * list.size() + least);
+}
 
 /// "1 argument", "3 arguments"; for messages.
 [[nodiscard]] std::string argument_count(std::size_t n);
@@ -142,10 +155,13 @@ class Interpreter {
   bool condition(const ast::Tree& tree, ast::ExprId id);
   bool is_defined(const ast::Tree& tree, ast::ExprId id);
   void call_macro(const ast::Tree& tree, ast::ExprId call, bool flatten);
+  void count_call(const ast::Macro& macro, Span call);
+  Frame& open_macro(const MacroRef& ref, ast::Range items, Span call, std::size_t first);
   void enter_macro(const ast::Tree& tree, ast::ExprId call, const MacroRef& ref, ast::Range items,
                    bool flatten);
   [[nodiscard]] bool adds_up(const ast::Tree& tree, ast::ExprId id);
   void add_argument(const ast::Tree& tree, ast::ExprId arg, bool optional = false);
+  void add_argument(const ast::Tree& tree, const CallPlan::Argument& argument);
   void read_open_arguments(const ast::Tree& tree, ast::Range items, const MacroRef& ref);
   [[nodiscard]] const MacroRef* value_macro(const ast::Tree& tree, ast::ExprId id,
                                             bool alone) const;
@@ -192,11 +208,38 @@ class Interpreter {
   }
   void missing_semicolon(const ast::Declare& node, const Num& n);
   bool quick_assign(const ast::Tree& tree, const ast::Declare& node);
+  bool quick_assign(const ast::Declare& node, Formula& formula);
+  [[nodiscard]] static bool assigns_variable(const ast::Declare& node);
   static void store_number(Value& target, Num n);
   void check_kind(const Value* first, const Array& array, const Value& value, Span span);
   void store(Value& target, Value value, bool is_element, const Array* array, Span span);
   void default_block();
   void set_version(double v, Span span);
+
+  // ---- statements.cpp, statement_plans.cpp: statements that were met before
+  void run_ahead(std::vector<scene::ObjectId>* children);
+  bool run_ahead_once(std::vector<scene::ObjectId>* children);
+  bool leave_ahead();
+  Statement& statement_at(const ast::Tree& tree, std::uint32_t pos) {
+    const auto& known = statements_of_[tree.file];
+    return known.empty() || known[pos] == nullptr ? new_statement(tree, pos) : *known[pos];
+  }
+  Statement& new_statement(const ast::Tree& tree, std::uint32_t pos);
+  std::unique_ptr<SwitchPlan> plan_switch(const ast::Tree& tree, const ast::Directive& d);
+  bool run_switch(const ast::Tree& tree, const SwitchPlan& plan);
+  void prepare(Statement& s, const ast::Tree& tree, std::uint32_t pos);
+  std::unique_ptr<CallPlan> plan_call(const ast::Tree& tree, ast::ExprId id);
+  std::unique_ptr<ObjectPlan> plan_object(const ast::Tree& tree, std::uint32_t pos);
+  bool plan_operands(ObjectPlan& plan, const Frame& block, std::uint32_t& pos);
+  bool plan_step(ObjectPlan& plan, const Frame& block, std::uint32_t& pos);
+  bool plan_colour(ObjectPlan::Step& step, const ast::Tree& tree, ast::Range items);
+  bool run_call(const ast::Tree& tree, const CallPlan& plan);
+  bool run_object(Span word, const ObjectPlan& plan, std::vector<scene::ObjectId>* children);
+  bool work_out_operands(const ObjectPlan& plan, std::span<double> args);
+  struct PlannedLook;
+  bool work_out_steps(const ObjectPlan& plan, std::span<Operand> values, PlannedLook& look);
+  void take_colour(scene::Object& o, const ObjectPlan::Step& step, const Operand& value,
+                   PlannedLook& look);
 
   // ---- places.cpp, additions.cpp: dictionaries and what else is new in 3.8
   enum class Access : std::uint8_t { read, probe, write };
@@ -221,7 +264,7 @@ class Interpreter {
   [[nodiscard]] bool starts_dictionary(const Token& token) const;
   Value read_dictionary();
   void assign(const ast::Tree& tree, const ast::Declare& node, Value value, std::uint32_t scope,
-              Slot* existing);
+              Slot* existing, const Subscripts* at = nullptr);
   void assign_place(const ast::Tree& tree, const ast::Declare& node, Value value);
   void assign_target(const ast::Tree& tree, const ast::Tuple& node, ast::ExprId target,
                      Value value);
@@ -251,8 +294,25 @@ class Interpreter {
                                  std::span<const std::string_view> suffixes = {});
   void check_writable(const std::string& path, Span span);
 
+  // ---- pictures.cpp, images.cpp, density_files.cpp
+  PictureFile read_picture_file();
+  std::shared_ptr<const Picture> load_picture(const std::string& path, const std::string& kind,
+                                              Span span);
+  std::shared_ptr<const Picture> read_function_picture(double columns, double rows, Span span);
+  functions::FunctionRef read_picture_function(Span span);
+  void sample_numbers(const functions::Function& function, Picture& picture);
+  void read_image(scene::Pattern& pattern, const Token& word, float* bump_size);
+  void read_image_source(scene::Image& image, bool is_map);
+  void set_curves(scene::Image& image, const PictureFile& file, bool is_map) const;
+  bool image_setting(scene::Image& image, const Token& t, SymbolId block);
+  void image_kind(scene::Image& image, const Token& t, SymbolId block);
+  void palette_setting(scene::Image& image, const Token& t);
+  std::shared_ptr<const scene::Voxels> read_voxels();
+  void read_object_pattern(scene::Pattern& pattern, Span span);
+
   // ---- include.cpp: files
   const ast::Tree& load(const std::string& name, Span span);
+  void forget_text(const std::string& path);
   void include(const std::string& name, Span span);
 
   /// Takes back what is drawn from random streams while it lives, unless it is to be kept: an
@@ -291,6 +351,16 @@ class Interpreter {
   int work_out(const ast::Tree& tree, ast::ExprId id, int want, double* v);
   /// The compiled way to a value (formula.h), valid until the next; null if there is none here.
   const Operand* quick(const ast::Tree& tree, ast::ExprId id, int want);
+  const Operand* run_formula(Formula& formula, int want) {
+    if (formula.calls_functions) workspace_.context.noise_generator = noise_generator();
+    const Operand* result = machine_.run(formula, want);
+    if (result == nullptr) return note_failure(formula);
+    turns_ += formula.calls;
+    if (peek_ != nullptr) machine_.tell_draws(*peek_);
+    return result;
+  }
+  static const Operand* note_failure(Formula& formula);
+  Formula* formula_of(const ast::Tree& tree, ast::ExprId id);
   Formula& new_formula(const ast::Tree& tree, ast::ExprId id);
   int work_out_full(const ast::Tree& tree, ast::ExprId id, int want, double* v);
   double work_out_float(const ast::Tree& tree, ast::ExprId id, std::string_view what);
@@ -330,7 +400,8 @@ class Interpreter {
   class FunctionReader;
   friend class FunctionReader;
   Value read_function(Span span);
-  void check_may_change(Slot* slot, Span span);
+  void check_may_change(Slot* slot, Span span, bool local = false);
+  [[nodiscard]] bool in_library(Span span) const;
   [[noreturn]] void function_stays(SymbolId name, Span span);
   std::vector<SymbolId> read_parameters();
   functions::FunctionRef read_scene_function(std::span<const SymbolId> parameters);
@@ -490,6 +561,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
 
   scene::Object read_csg(scene::NodeKind kind, const Token& word);
   scene::ObjectId read_object_modifiers(scene::Object object, const Token& word, Span opened);
+  void settle_texture(scene::Object& object);
   bool object_modifier(scene::Object& object, const Token& token);
   void transform_object(scene::Object& object, const Transform& t);
   void read_clips(scene::Object& object, bool clip);
@@ -510,6 +582,24 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   scene::TextureId read_texture(std::string_view block);
   scene::Texture materialize(const scene::TextureUse& use);
   void edit_texture(scene::TextureUse& use, const Token& word);
+  /// Changes the texture in use by `edit`, in place if this statement has made it.
+  template <typename Edit>
+  void change_texture(scene::TextureUse& use, Edit&& edit) {
+    const bool own = use.texture == own_texture_ && own_texture_ != scene::none;
+    if (!own) {
+      scene::Texture t = materialize(use);
+      edit(t);
+      use = {add_texture(std::move(t)), {}};
+      own_texture_ = use.texture;
+      return;
+    }
+    // Nobody else has seen it.
+    scene::Texture t = std::move(scene_.textures[use.texture]);
+    if (!use.transform.is_identity()) transform_texture(t, use.transform);
+    edit(t);
+    scene_.textures[use.texture] = std::move(t);
+    use.transform = {};
+  }
   void add_layers(scene::TextureUse& use, scene::TextureId layers);
   void transform_texture(scene::Texture& texture, const Transform& t);
   void edit_layer(scene::Layer& layer, const Token& word);
@@ -518,6 +608,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   void read_texture_part(scene::Texture& texture, const Token& token, Span span);
   void read_pattern_texture(scene::Texture& texture, const Token& word, Token::Kind last);
   void read_texture_list(scene::Texture& texture, int size);
+  void read_materials(scene::Texture& texture, scene::Pattern& pattern, Span span);
   void read_tiles(scene::Texture& texture, Span span);
   scene::Layer& top_layer(scene::Texture& texture, Span span);
   void keep_bump_scale(scene::Texture& texture);
@@ -526,6 +617,12 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   void share_texture(scene::TextureUse& use);
   [[nodiscard]] static bool is_plain(const scene::Texture& texture);
   bool quick_pigment(scene::TextureUse& use);
+  [[nodiscard]] bool takes_paint(scene::TextureId texture);
+  void give_finish(scene::TextureUse& use, const Boxed<scene::Finish>& finish);
+  scene::TextureId painted(scene::TextureId base, const Colour& colour, Span written);
+  bool dress(scene::TextureUse& use, const Colour& colour, const Boxed<scene::Finish>& finish,
+             Span written);
+  void paint(scene::TextureUse& use, const Colour& colour, Span written);
   scene::Pigment read_pigment(scene::Pigment start);
   void read_pigment_body(scene::Pigment& pigment, Token::Kind last);
   void start_pigment_pattern(scene::Pigment& pigment, std::uint32_t index, const Token& word);
@@ -536,7 +633,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   // ---- maps.h
   template <typename Map, typename ReadEntry>
   void read_map(std::string_view name, Map& map, bool weights, ReadEntry read_entry);
-  void check_entries(const scene::Pattern& pattern, bool none, std::string_view map);
+  void check_pattern(const scene::Pattern& pattern, bool none, std::string_view map);
   [[noreturn]] void bad_map(const Token& word, const scene::PatternInfo* info);
   // ---- normals.cpp
   [[nodiscard]] const scene::Normal& default_normal() const;
@@ -550,7 +647,10 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   // ---- patterns.cpp
   [[nodiscard]] bool is_pattern_word(SymbolId word) const;
   void choose_pattern(scene::Pattern& pattern, std::uint32_t index);
-  void read_pattern_operands(scene::Pattern& pattern, const Token& word);
+  void read_pattern_operands(scene::Pattern& pattern, const Token& word,
+                             float* bump_size = nullptr);
+  void open_list(scene::Pattern& pattern, const Token& word);
+  void close_list(const scene::Pattern& pattern, const Token& word);
   bool pattern_modifier(scene::Pattern& pattern, const Token& token);
   void read_turbulence(scene::Pattern& pattern, const Token& word);
   void read_magnet(scene::Pattern& pattern, Span span);
@@ -561,15 +661,34 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   scene::Finish read_finish(scene::Finish start);
   // ---- constant_blocks.cpp
   const ast::Group* constant_block();
+  [[nodiscard]] bool is_constant_block(const ast::Tree& tree, const ast::Group& group);
+  [[nodiscard]] const Boxed<scene::Finish>* known_finish(const ast::Group& block,
+                                                         const Boxed<scene::Finish>& start) const;
   Boxed<scene::Finish> read_shared_finish(const Boxed<scene::Finish>& start);
   void read_reflection(scene::Finish& finish);
   scene::InteriorId read_interior();
+  static void put_interior(scene::Object& object, scene::InteriorId interior);
+  // ---- media.cpp
+  scene::Media read_media(Span span);
+  bool sampling_setting(scene::Media& media, const Token& token);
+  void read_scattering(scene::Media& media);
+  scene::Pigment read_density();
+  void read_density_body(scene::Pigment& density, Token::Kind last);
+  void start_density_pattern(scene::Pigment& density, std::uint32_t index, const Token& word);
+  bool density_modifier(scene::Pigment& density, const Token& token);
+  DensityMap read_density_map(bool weights);
+  scene::InteriorId moved_interior(scene::InteriorId id, const Transform& by);
   Material read_material();
   Shared<CameraSpec> read_camera(Span span);
   scene::Camera finish_camera(const CameraSpec& spec);
   void read_global_settings(Span span);
   void read_background();
   scene::SkySphere read_sky_sphere(Span span);
+  void read_radiosity(const Token& word);
+  double read_radiosity_number(const Token& word, double lo, bool lo_excluded, double hi);
+  void read_radiosity_count(scene::Radiosity& r, const Token& word);
+  void check_reuse(scene::Radiosity& r, bool minimum_given, bool maximum_given, Span span);
+  float read_importance(const Token& word);
   scene::Fog read_fog(Span span);
   bool fog_setting(scene::Fog& fog, const Token& token);
   scene::Rainbow read_rainbow(Span span);
@@ -608,6 +727,10 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   scene::OriginId call_origin();
   [[nodiscard]] std::string_view name_of(SymbolId id) const { return symbols_.text(id); }
   [[nodiscard]] int version() const { return declared_version_; }
+  /// Before version 1.5 operands end where a factor ends: the shorter ways know nothing of that.
+  [[nodiscard]] bool takes_shortcuts() const {
+    return options_.shortcuts && declared_version_ >= 150;
+  }
 
   SourceMap& sources_;
   FileId main_file_ = 0;
@@ -638,6 +761,7 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   std::vector<const ast::Tree*> tree_of_;  // by file
   std::vector<std::vector<Formula*>> formulas_of_;  // by file, expression
   std::deque<Formula> formulas_;
+  std::vector<std::vector<std::unique_ptr<Statement>>> statements_of_;  // by file, first item
   Formula no_formula_;
   std::unordered_set<std::uint64_t> warned_;
   std::unordered_set<Loc> reported_;  // places of errors
@@ -658,11 +782,13 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   functions::Workspace workspace_;      // of calls of functions
   FormulaMachine machine_{env_, streams_, workspace_};
   scene::Scene scene_;
+  std::map<std::string, PictureRead> pictures_;  // by path
+  std::map<std::string, std::shared_ptr<const scene::Voxels>> voxels_;
   std::vector<std::uint16_t> object_depths_;  // by object: 1 + that of its deepest child
   scene::TextureId default_texture_ = scene::none;
   bool reading_default_ = false;  // a normal may have settings and no pattern yet
   /// Textures of one plain colour: objects that look alike share one.
-  std::unordered_map<PlainLook, scene::TextureId, PlainLook::Hash> plain_textures_;
+  KnownLooks plain_textures_;
   std::unordered_map<const ast::Group*, bool> constant_;  // blocks, as far as known
   struct FinishKey {
     const ast::Group* block;
@@ -676,8 +802,10 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   };
   std::map<FinishKey, KnownFinish> finishes_;
   scene::TextureId plain_base_ = scene::none;  // the last one that was found to be plain
+  std::vector<double> operands_;  // of the primitive that is being read the quick way
   scene::TextureId own_texture_ = scene::none;  // made by the object statement being read
   std::shared_ptr<const CameraSpec> default_camera_;
+  float default_importance_ = 1;  // of objects, for radiosity
   std::shared_ptr<const CameraSpec> camera_;
   int declared_version_ = 370;
   bool version_given_ = false;

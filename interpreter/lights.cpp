@@ -217,7 +217,7 @@ void Interpreter::read_looks_like(scene::Object& o, const scene::Light& l, const
   shape = scene_.objects[read_object_modifiers(std::move(shape), word, opened)];
   transform_object(shape, o.transform->inverse());
   shape.no_shadow = true;
-  o.children.push_back(add_object(std::move(shape)));
+  o.children = {add_object(std::move(shape))};
 }
 
 /// What a colour map in place of a colour amounts to.
@@ -234,12 +234,13 @@ scene::ObjectId Interpreter::read_light_group(const Token& word) {
   scene::Object o;
   o.kind = scene::NodeKind::light_group;
   o.origin = origin(word.span);
+  std::vector<scene::ObjectId> children;
   for (;;) {
     const Token t = next();
     if (t.kind == Token::Kind::close) break;
     if (t.is_punct(';')) continue;
     if (starts_object(t)) {
-      o.children.push_back(read_object(t));
+      children.push_back(read_object(t));
     } else if (const auto transform = read_transformation(t)) {
       o.transform = o.transform.then(*transform);
     } else if (t.is(w::global_lights)) {
@@ -249,11 +250,12 @@ scene::ObjectId Interpreter::read_light_group(const Token& word) {
       skip_block();
     } else if (const Value* v = t.is_place() ? lookup(*t.tree, t.expr, true) : nullptr;
                v != nullptr && v->get<ObjectRef>() != nullptr) {
-      o.children.push_back(v->get<ObjectRef>()->id);
+      children.push_back(v->get<ObjectRef>()->id);
     } else {
       bad_setting(t, "light_group", opened, "global_lights translate rotate scale matrix transform");
     }
   }
+  o.children = children;
   return add_object(std::move(o));
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/interpreter.h"
+#include "interpreter/statements.h"
 
 namespace durer::interpreter {
 namespace {
@@ -149,21 +150,23 @@ void Interpreter::call_macro(const ast::Tree& tree, ast::ExprId id, bool flatten
   while (frames_.size() > depth) pop();
 }
 
-/// Evaluates the arguments of the call and opens the macro: a frame that delivers `items`, a scope,
-/// the parameters.
+/// Before a call: the limits.
+void Interpreter::count_call(const ast::Macro& macro, Span call) {
+  tick(call);
+  check_stack(call);
+  if (macro_depth_ < options_.limits.macro_depth || options_.limits.macro_depth == 0) return;
+  fail(Code::limit, call, fmt::format("macro `{}` calls itself too deeply", name_of(macro.name)),
+       fmt::format("give the recursion an end: {} calls inside one another are the limit "
+                   "(--max-macro-depth)",
+                   options_.limits.macro_depth));
+}
+
+/// Evaluates the arguments of the call and opens the macro.
 void Interpreter::enter_macro(const ast::Tree& tree, ast::ExprId id, const MacroRef& ref,
                               ast::Range items, bool flatten) {
   const ast::Expr& e = tree.exprs[id];
   const ast::Macro& macro = *ref.macro;
-  tick(e.span);
-  check_stack(e.span);
-  if (macro_depth_ >= options_.limits.macro_depth && options_.limits.macro_depth > 0) {
-    fail(Code::limit, e.span,
-         fmt::format("macro `{}` calls itself too deeply", name_of(macro.name)),
-         fmt::format("give the recursion an end: {} calls inside one another are the limit "
-                     "(--max-macro-depth)",
-                     options_.limits.macro_depth));
-  }
+  count_call(macro, e.span);
   const std::size_t first = arguments_.size();
   if (const auto* call = std::get_if<ast::Call>(&e.node)) {
     for (std::uint32_t i = 0; i < call->args.count; ++i) {
@@ -190,8 +193,16 @@ void Interpreter::enter_macro(const ast::Tree& tree, ast::ExprId id, const Macro
     fail(std::move(d));
   }
 
-  Frame& f = push(Frame::Kind::macro, e.span);
-  f.flatten = flatten;
+  open_macro(ref, items, e.span, first).flatten = flatten;
+  if (options_.on_trace) trace_call(frames_.back(), *ref.tree, macro);
+}
+
+/// The frame of a macro, which delivers `items`, and its scope with the arguments from number
+/// `first` on.
+Frame& Interpreter::open_macro(const MacroRef& ref, ast::Range items, Span call,
+                               std::size_t first) {
+  const ast::Macro& macro = *ref.macro;
+  Frame& f = push(Frame::Kind::macro, call);
   f.tree = ref.tree;
   f.first = items.first;
   f.pos = items.first;
@@ -204,7 +215,59 @@ void Interpreter::enter_macro(const ast::Tree& tree, ast::ExprId id, const Macro
     env_.link(*arguments_[first + i], ref.tree->params[macro.params.first + i].name);
   }
   arguments_.resize(first);
-  if (options_.on_trace) trace_call(f, *ref.tree, macro);
+  return f;
+}
+
+/// Runs the call that was planned; false, with nothing done, if it is not of a macro that takes
+/// these arguments.
+bool Interpreter::run_call(const ast::Tree& tree, const CallPlan& plan) {
+  const MacroRef* known = macro_named(plan.callee);
+  if (known == nullptr || options_.on_trace) return false;
+  const MacroRef ref = *known;
+  const ast::Range params = ref.macro->params;
+  if (params.count != plan.arguments.size()) return false;
+  for (std::uint32_t i = 0; i < params.count; ++i) {
+    if (ref.tree->params[params.first + i].optional) return false;
+  }
+  ++frames_.back().pos;
+  const Span span = tree.exprs[plan.call].span;
+  count_call(*ref.macro, span);
+  const std::size_t first = arguments_.size();
+  for (const CallPlan::Argument& argument : plan.arguments) add_argument(tree, argument);
+  ast::Range items = ref.macro->items;
+  const bool runs = ref.macro->items.shape == ast::Body::Shape::statements;
+  if (runs) items.count = 0;
+  const std::size_t depth = frames_.size();
+  open_macro(ref, items, span, first);
+  if (!runs) return true;
+  run_statements(*ref.tree, ref.macro->items);  // a #break ends the macro
+  while (frames_.size() > depth) pop();
+  return true;
+}
+
+void Interpreter::add_argument(const ast::Tree& tree, const CallPlan::Argument& argument) {
+  using Kind = CallPlan::Argument::Kind;
+  if (argument.kind == Kind::reference) {
+    Slot* target = env_.find(argument.name);
+    const Value* v = Environment::value_of(target);
+    if (v != nullptr && v->is_num()) {
+      if (target->target != nullptr && target->path.empty()) target = target->target;
+      Slot& slot = env_.make();
+      slot.target = target;
+      return arguments_.push_back(&slot);
+    }
+  } else if (argument.kind == Kind::formula) {
+    if (const Operand* result = run_formula(*argument.formula, 1)) {
+      Slot& slot = env_.make();
+      if (result->is_text()) {
+        slot.value = take_result(*result);
+      } else {
+        store_number(slot.value, result->number());
+      }
+      return arguments_.push_back(&slot);
+    }
+  }
+  add_argument(tree, argument.expr);
 }
 
 }  // namespace durer::interpreter

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "interpreter/interpreter.h"
 #include "interpreter/mesh_builder.h"
+#include "interpreter/object_reader.h"
 
 namespace durer::interpreter {
 
@@ -281,6 +281,8 @@ void Interpreter::missing_indices(std::string_view block, const Token& word) {
 
 scene::Object Interpreter::read_mesh(std::uint32_t type, const Token& word) {
   MeshBuilder builder;
+  scene::Object unused;
+  if (ObjectReader(*this, unused, word).imported(builder)) return finish_mesh(type, word, builder);
   for (;;) {
     const Token t = peek();
     if (t.is(w::triangle) || t.is(w::smooth_triangle)) {

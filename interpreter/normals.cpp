@@ -69,7 +69,8 @@ void Interpreter::read_normal_body(scene::Normal& n, Token::Kind last) {
       n.uv_mapping = true;
       return;
     }
-    if (const auto it = pattern_words_.find(t.word); it != pattern_words_.end()) {
+    if (const auto it = pattern_words_.find(t.word); it != pattern_words_.end() && !registry_.patterns[it->second]->only_pigment &&
+        !registry_.patterns[it->second]->only_texture) {
       start_normal_pattern(n, it->second, t);
       continue;
     }
@@ -83,7 +84,7 @@ void Interpreter::read_normal_body(scene::Normal& n, Token::Kind last) {
     bad_setting(t, "normal", {}, normal_settings);
   }
   next();
-  check_entries(n.pattern, n.entries.empty(), "normal_map");
+  check_pattern(n.pattern, n.entries.empty(), "normal_map");
 }
 
 void Interpreter::start_normal_pattern(scene::Normal& n, std::uint32_t index, const Token& word) {
@@ -92,6 +93,7 @@ void Interpreter::start_normal_pattern(scene::Normal& n, std::uint32_t index, co
   n.entries.clear();
   n.children.clear();
   choose_pattern(n.pattern, index);
+  open_list(n.pattern, word);
   if (info.list_size > 0 && peek().is(w::normal)) {
     for (int i = 0; i < info.list_size; ++i) {
       n.entries.push_back({static_cast<float>(i), static_cast<std::uint32_t>(n.children.size())});
@@ -103,7 +105,8 @@ void Interpreter::start_normal_pattern(scene::Normal& n, std::uint32_t index, co
       optional_comma();
     }
   }
-  read_pattern_operands(n.pattern, word);
+  close_list(n.pattern, word);
+  read_pattern_operands(n.pattern, word, &n.amount);
   optional_comma();
   if (starts_number(peek())) n.amount = static_cast<float>(read_scalar("amount"));
 }
@@ -125,7 +128,7 @@ bool Interpreter::normal_modifier(scene::Normal& n, const Token& t) {
       return true;
     }
     case w::slope_map:
-      if (info == nullptr || block || info->averages) bad_map(t, info);
+      if (info == nullptr || block || info->averages || (info->only_normal && info->takes_image)) bad_map(t, info);
       n.slopes = read_slope_map().entries;
       return true;
     default: return false;

@@ -9,11 +9,15 @@
 
 namespace durer::interpreter {
 
+class MeshBuilder;
+struct MeshFile;
+struct MeshMaterial;
+
 class ObjectReader {
  public:
   /// Reads into `object`, whose word is `word`.
   ObjectReader(Interpreter& in, scene::Object& object, const Token& word)
-      : in_(in), object_(object), args_(object.args), word_(word) {}
+      : in_(in), object_(object), word_(word) {}
 
   void bicubic_patch();
   void blob();
@@ -25,8 +29,17 @@ class ObjectReader {
   void sor();
   void sphere_sweep();
 
+  /// `import "file"` in a mesh; false, with nothing read, if there is none.
+  bool imported(MeshBuilder& builder);
+
+  /// Hands the operands over to the object.
+  void finish() { object_.args = args_; }
+
  private:
   double number(const char* what);
+  MeshFile file_of_mesh(const std::string& path, Span span);
+  void add_material_files(MeshFile& file, const std::string& path, Span span);
+  scene::TextureId material_texture(const MeshMaterial& material);
   bool accept(grammar::SymbolId word) { return in_.accept(word); }
   bool spline_word(double& kind);
   void points(double count, int width);
@@ -34,9 +47,6 @@ class ObjectReader {
   void put_vector(std::size_t at, int width);
   scene::HeightField picture_heights();
   scene::HeightField function_heights();
-  functions::FunctionRef read_heights_function(Span span);
-  scene::HeightField colour_heights(const functions::Function& function, double columns,
-                                    double rows);
   bool julia_function();
   void read_power();
   void blob_component(bool rod);
@@ -44,7 +54,7 @@ class ObjectReader {
 
   Interpreter& in_;
   scene::Object& object_;
-  std::vector<double>& args_;
+  std::vector<double> args_;
   Token word_;
 };
 

@@ -1,8 +1,10 @@
 // Objects: primitives bound by their operand tables, CSG, modifiers (objects §8, §9).
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/suggest.h"
 #include "interpreter/interpreter.h"
@@ -58,6 +60,23 @@ bool is_known_object(SymbolId word) {
 }  // namespace
 
 namespace {
+/// Why an object, or something in it, cannot clip or bound others; null if it can (objects §8.4).
+const char* unfit_to_cut(const scene::Scene& scene, const scene::Registry& registry,
+                         scene::ObjectId id) {
+  const scene::Object& o = scene.objects[id];
+  if (o.texture.texture != scene::none) return "have a texture";
+  const bool patch =
+      o.extras->mesh != nullptr
+          ? !o.extras->mesh->has_inside()
+          : o.kind == scene::NodeKind::light || (o.kind == scene::NodeKind::primitive &&
+                                                 registry.primitives[o.type]->is_patch);
+  if (patch) return "be without an inside";
+  for (const scene::ObjectId child : o.children) {
+    if (const char* flaw = unfit_to_cut(scene, registry, child)) return flaw;
+  }
+  return nullptr;
+}
+
 /// The word of the type that an object of this word is.
 SymbolId type_word(SymbolId word) {
   switch (word) {
@@ -107,6 +126,7 @@ scene::ObjectId Interpreter::add_object(scene::Object object) {
     depth = std::max<std::uint32_t>(depth, object_depths_[child] + 1U);
   }
   check_depth(object, depth);
+  if (object.importance == 0 && default_importance_ != 1) object.importance = default_importance_;
   object_depths_.push_back(static_cast<std::uint16_t>(depth));
   scene_.objects.push_back(std::move(object));
   return static_cast<scene::ObjectId>(scene_.objects.size() - 1);
@@ -124,10 +144,9 @@ scene::ObjectId Interpreter::read_object(const Token& word) {
 
   if (const auto it = primitive_words_.find(word.word);
       it != primitive_words_.end() && reader_of(word.word) == &Interpreter::read_primitive) {
-    std::vector<double> args;
-    if (quick_operands(*registry_.primitives[it->second], args, word)) {
+    if (quick_operands(*registry_.primitives[it->second], operands_, word)) {
       scene::Object o = primitive(it->second, word);
-      o.args = std::move(args);
+      o.args = operands_;
       return read_object_modifiers(std::move(o), word, open.span);
     }
   }
@@ -204,16 +223,18 @@ scene::Object Interpreter::read_csg(scene::NodeKind kind, const Token& word) {
   scene::Object o;
   o.kind = kind;
   o.origin = origin(word.span);
+  std::vector<scene::ObjectId> children;
   for (;;) {
+    run_ahead(&children);
     const Token t = peek();
     if (starts_object(t)) {
       next();
-      o.children.push_back(read_object(t));
+      children.push_back(read_object(t));
     } else if (t.is_place()) {
       const Value* v = lookup(*t.tree, t.expr, true);
       const auto* ref = v == nullptr ? nullptr : v->get<ObjectRef>();
       if (ref == nullptr) unexpected(t, "an object or a modifier");
-      o.children.push_back(ref->id);
+      children.push_back(ref->id);
       next();
     } else if (t.is_punct(';')) {
       next();
@@ -221,11 +242,12 @@ scene::Object Interpreter::read_csg(scene::NodeKind kind, const Token& word) {
       break;
     }
   }
-  if (o.children.size() < 2 && version() >= 150) {
+  if (children.size() < 2 && version() >= 150) {
     warn(Code::scene, word.span,
-         fmt::format("this `{}` has {} child{}", name_of(word.word), o.children.size(),
-                     o.children.size() == 1 ? "" : "ren"));
+         fmt::format("this `{}` has {} child{}", name_of(word.word), children.size(),
+                     children.size() == 1 ? "" : "ren"));
   }
+  o.children = children;
   return o;
 }
 
@@ -260,11 +282,21 @@ scene::ObjectId Interpreter::read_object_modifiers(scene::Object object, const T
     d.labels.push_back({word.span.to(opened), "in this block"});
     fail(std::move(d));
   }
+  if (object.texture.texture == scene::none &&
+      object.extras->interior_texture.texture != scene::none) {
+    fail(Code::scene, word.span, "an `interior_texture` needs a texture of the outside beside it",
+         "put a `texture` or `pigment` into the same object");
+  }
+  settle_texture(object);
+  return add_object(std::move(object));
+}
+
+/// At the end of the statement that made the object.
+void Interpreter::settle_texture(scene::Object& object) {
   if (own_texture_ != scene::none && object.texture.texture == own_texture_) {
     share_texture(object.texture);
   }
   own_texture_ = scene::none;
-  return add_object(std::move(object));
 }
 
 void Interpreter::transform_object(scene::Object& o, const Transform& t) {
@@ -276,6 +308,9 @@ void Interpreter::transform_object(scene::Object& o, const Transform& t) {
   if (!o.extras->bounds.empty()) {
     o.extras.edit().bound_transform = o.extras->bound_transform.then(step);
   }
+  if (o.interior != scene::none && !scene_.interiors[o.interior].media->empty()) {
+    o.extras.edit().media_transform = o.extras->media_transform.then(step);
+  }
   if (o.uv_mapping) return;  // its textures lie on the surface
   if (o.texture.texture != scene::none) o.texture.transform = o.texture.transform.then(step);
   if (o.extras->interior_texture.texture != scene::none) {
@@ -284,12 +319,26 @@ void Interpreter::transform_object(scene::Object& o, const Transform& t) {
   }
 }
 
+void Interpreter::put_interior(scene::Object& o, scene::InteriorId interior) {
+  o.interior = interior;
+  if (!o.extras->media_transform.is_identity()) o.extras.edit().media_transform = {};
+}
+
 /// Reads one modifier whose word is `t`; false if `t` is none.
 bool Interpreter::object_modifier(scene::Object& o, const Token& t) {
   if (const auto transform = read_transformation(t)) {
     transform_object(o, *transform);
     return true;
   }
+  const auto must_be = [&](const scene::Object& object, const Token& word,
+                           std::initializer_list<std::string_view> types) {
+    const bool known = object.kind == scene::NodeKind::primitive && object.type != scene::none;
+    const std::string_view type = known ? registry_.primitives[object.type]->name : "";
+    if (std::find(types.begin(), types.end(), type) != types.end()) return;
+    fail(Code::unknown_setting, word.span,
+         fmt::format("`{}` means nothing to this object", name_of(word.word)),
+         fmt::format("it belongs to {}", fmt::join(types, ", ")));
+  };
   const auto unsupported = [&](std::string_view what) {
     if (o.extras->unsupported.empty()) o.extras.edit().unsupported = what;
   };
@@ -301,12 +350,12 @@ bool Interpreter::object_modifier(scene::Object& o, const Token& t) {
     case w::interior_texture:
       add_layers(o.extras.edit().interior_texture, read_texture("interior_texture"));
       return true;
-    case w::interior: o.interior = read_interior(); return true;
+    case w::interior: put_interior(o, read_interior()); return true;
     case w::material: {
       const Material m = read_material();
       if (m.texture != scene::none) o.texture = {m.texture, {}};
       if (m.interior_texture != scene::none) o.extras.edit().interior_texture = {m.interior_texture, {}};
-      if (m.interior != scene::none) o.interior = m.interior;
+      if (m.interior != scene::none) put_interior(o, m.interior);
       return true;
     }
     case w::clipped_by: read_clips(o, true); return true;
@@ -318,27 +367,40 @@ bool Interpreter::object_modifier(scene::Object& o, const Token& t) {
     case w::no_reflection: o.no_reflection = read_switch(true); return true;
     case w::no_radiosity: o.no_radiosity = read_switch(true); return true;
     case w::double_illuminate: o.double_illuminate = read_switch(true); return true;
-    case w::sturm: o.sturm = read_switch(true); return true;
-    case w::hierarchy: read_switch(true); return true;  // a matter of speed in the oracle
-    case w::split_union: read_float(); return true;     // likewise (objects §8.2)
+    case w::sturm:
+      must_be(o, t, {"torus", "ovus", "poly", "blob", "lathe", "prism", "sor", "lemon"});
+      o.sturm = read_switch(true);
+      return true;
+    case w::hierarchy:  // a matter of speed in the oracle
+      must_be(o, t, {"blob", "mesh", "height_field"});
+      read_switch(true);
+      return true;
+    case w::split_union:
+      if (o.kind != scene::NodeKind::union_ && o.kind != scene::NodeKind::merge) {
+        fail(Code::unknown_setting, t.span, "`split_union` is for `union` and `merge`");
+      }
+      o.kept_whole = !(read_float() > 0);
+      return true;
     case w::uv_mapping:
       if (o.texture.texture != scene::none) {
         fail(Code::scene, t.span, "`uv_mapping` must stand before the texture of its object");
       }
       o.uv_mapping = true;
       return true;
-    case w::cutaway_textures: unsupported("`cutaway_textures`"); return true;
+    case w::cutaway_textures:
+      if (o.kind != scene::NodeKind::intersection && o.kind != scene::NodeKind::difference) {
+        fail(Code::unknown_setting, t.span,
+             "`cutaway_textures` is for `intersection` and `difference`");
+      }
+      unsupported("`cutaway_textures`");
+      return true;
     case w::photons: {
       // Photons can only be shot once they are switched on in global_settings.
       expect_open("photons");
       skip_block();
       return true;
     }
-    case w::radiosity: {
-      expect_open("radiosity");
-      skip_block();
-      return true;
-    }
+    case w::radiosity: o.importance = read_importance(t); return true;
     case w::color:
     case w::colour:
       unread(t);
@@ -395,6 +457,12 @@ void Interpreter::read_clips(scene::Object& o, bool clip) {
     } else {
       unexpected(t, fmt::format("an object in `{}`", block));
     }
+  }
+  for (const scene::ObjectId id : added) {
+    const char* flaw = unfit_to_cut(scene_, registry_, id);
+    if (flaw == nullptr) continue;
+    fail(Code::scene, scene_.origins[scene_.objects[id].origin].span,
+         fmt::format("what stands in `{}` must not {}", block, flaw));
   }
   list.insert(list.end(), added.begin(), added.end());
 }

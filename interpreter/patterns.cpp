@@ -109,14 +109,32 @@ void Interpreter::choose_pattern(scene::Pattern& p, std::uint32_t index) {
   p.type = index;
   if (info.unwrapped || info.list_size > 0) p.frequency = 0;
   if (info.wave != scene::Wave::ramp) p.wave = info.wave;
-}
-
-void Interpreter::read_pattern_operands(scene::Pattern& p, const Token& word) {
-  const scene::PatternInfo& info = *registry_.patterns[p.type];
   p.function = nullptr;
   p.pigment = nullptr;
+  p.image = nullptr;
+  p.voxels = nullptr;
+}
+
+/// Before the list of a block pattern: `object` has an object there, in braces around both.
+void Interpreter::open_list(scene::Pattern& p, const Token& word) {
+  if (!registry_.patterns[p.type]->takes_object) return;
+  read_object_pattern(p, word.span);
+  optional_comma();
+}
+void Interpreter::close_list(const scene::Pattern& p, const Token& word) {
+  if (registry_.patterns[p.type]->takes_object) expect_close("object", word.span);
+}
+
+/// `bump_size`: takes what a picture of bumps may say about their height.
+void Interpreter::read_pattern_operands(scene::Pattern& p, const Token& word, float* bump_size) {
+  const scene::PatternInfo& info = *registry_.patterns[p.type];
   if (word.word == w::slope) return read_slope(p, word.span);
   if (word.word == w::magnet) return read_magnet(p, word.span);
+  if (info.takes_image) {
+    p.args = default_operands(info);
+    return read_image(p, word, bump_size);
+  }
+  if (info.takes_voxels) p.voxels = read_voxels();
   p.args = read_operands(info, word);
   if (info.takes_function) {
     p.function = read_scene_function(std::array<SymbolId, 3>{w::x, w::y, w::z});
@@ -126,11 +144,16 @@ void Interpreter::read_pattern_operands(scene::Pattern& p, const Token& word) {
   }
 }
 
-/// `average` is nothing without a map.
-void Interpreter::check_entries(const scene::Pattern& p, bool none, std::string_view map) {
-  if (!none || !p.exists() || !registry_.patterns[p.type]->averages) return;
-  fail(Code::missing_argument, peek().span,
-       fmt::format("`{}` needs a `{}`", registry_.patterns[p.type]->name, map));
+/// At the end of its block, where all operands are known. `average` is nothing without a map.
+void Interpreter::check_pattern(const scene::Pattern& p, bool none, std::string_view map) {
+  if (!p.exists()) return;
+  const scene::PatternInfo& info = *registry_.patterns[p.type];
+  if (info.validate != nullptr) {
+    if (const auto problem = info.validate(p.args)) fail(Code::degenerate, last_span_, *problem);
+  }
+  if (none && info.averages) {
+    fail(Code::missing_argument, peek().span, fmt::format("`{}` needs a `{}`", info.name, map));
+  }
 }
 
 /// A map where the pattern (null: none yet) takes none.

@@ -51,7 +51,7 @@ void Interpreter::read_pigment_body(scene::Pigment& p, Token::Kind last) {
     const Token t = peek();
     if (t.kind == last) {
       next();
-      check_entries(p.pattern, p.entries.empty(), "pigment_map");
+      check_pattern(p.pattern, p.entries.empty(), "pigment_map");
       settle_fractal_colours(p, registry_);
       return;
     }
@@ -97,7 +97,8 @@ void Interpreter::read_pigment_body(scene::Pigment& p, Token::Kind last) {
       return;
     }
     if (const auto it = pattern_words_.find(t.word);
-        it != pattern_words_.end() && !registry_.patterns[it->second]->only_normal) {
+        it != pattern_words_.end() && !registry_.patterns[it->second]->only_normal &&
+        !registry_.patterns[it->second]->only_texture) {
       start_pigment_pattern(p, it->second, t);
       continue;
     }
@@ -120,7 +121,9 @@ void Interpreter::start_pigment_pattern(scene::Pigment& p, std::uint32_t index, 
   p.colour = {};
   choose_pattern(p.pattern, index);
   if (info.list_size > 0) {
+    open_list(p.pattern, word);
     read_colour_list(p, info);
+    close_list(p.pattern, word);
   } else {
     for (const scene::MapEntry& e : info.default_map)
       p.entries.push_back({e.key, e.colour, scene::none});
@@ -171,7 +174,7 @@ bool Interpreter::pigment_modifier(scene::Pigment& p, const Token& t) {
           p.pattern.exists() ? registry_.patterns[p.pattern.type] : nullptr;
       const bool colours = t.word != w::pigment_map;
       if ((info == nullptr && p.unsupported.empty()) ||
-          (info != nullptr && (info->list_size > 0 || (colours && info->averages)))) {
+          (info != nullptr && (info->list_size > 0 || info->only_pigment || (colours && info->averages)))) {
         bad_map(t, info);
       }
       ColourMap map = colours ? read_colour_map()

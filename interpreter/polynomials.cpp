@@ -47,8 +47,8 @@ scene::Object Interpreter::read_polynomial(std::uint32_t type, const Token& word
                        terms.size(), found));
     }
   }
-  o.args.push_back(degree);
-  o.args.insert(o.args.end(), terms.begin(), terms.end());
+  terms.insert(terms.begin(), degree);
+  o.args = terms;
   return o;
 }
 

@@ -9,11 +9,10 @@ namespace w = grammar::words;
 
 /// The innermost frame, if what comes next is an item of it as it is written.
 Frame* Interpreter::plain_items() {
-  if (version() < 150) return nullptr;  // operands are single factors there
+  if (!takes_shortcuts()) return nullptr;
   Frame& f = frames_.back();
-  // Before version 1.5 operands end where a factor ends.
-  const bool plain = unread_.size() == unread_base_ && f.kind == Frame::Kind::group &&
-                     !f.flatten && version() >= 150;
+  const bool plain =
+      unread_.size() == unread_base_ && f.kind == Frame::Kind::group && !f.flatten;
   return plain ? &f : nullptr;
 }
 

@@ -560,6 +560,9 @@ Value Interpreter::read_value() {
     case w::normal_map: return Value(std::make_shared<const NormalMap>(read_normal_map(true)));
     case w::slope_map: return Value(std::make_shared<const SlopeMap>(read_slope_map()));
     case w::texture_map: return Value(std::make_shared<const TextureMap>(read_texture_map(true)));
+    case w::media: return Value(std::make_shared<const scene::Media>(read_media(t.span)));
+    case w::density: return Value(std::make_shared<const Density>(Density{read_density()}));
+    case w::density_map: return Value(std::make_shared<const DensityMap>(read_density_map(true)));
     case w::interior: return Value(InteriorRef{read_interior()});
     case w::material: return Value(std::make_shared<const Material>(read_material()));
     case w::transform: return Value(std::make_shared<const Transform>(read_transform_block()));
@@ -571,9 +574,6 @@ Value Interpreter::read_value() {
     case w::array: return Value(read_array(t.span));
     case w::function: return read_function(t.span);
     case w::spline: return Value(read_spline(t.span));
-    case w::density:
-    case w::density_map:
-    case w::media:
     case w::bump_map:
     case w::material_map: return skip_unsupported(name_of(t.word), t.span);
     default: unexpected(t, "a value");

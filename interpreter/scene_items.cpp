@@ -74,8 +74,8 @@ void Interpreter::read_global_settings(Span span) {
           unexpected(peek(), "`ascii`, `utf8` or `sys`");
         }
         break;
+      case w::radiosity: read_radiosity(t); break;
       case w::photons:
-      case w::radiosity:
       case w::subsurface:
         not_supported(fmt::format("`{}` in global_settings", name_of(t.word)), t.span);
       default: bad_setting(t, "global_settings", span, settings);
@@ -115,6 +115,7 @@ void Interpreter::finish_settings() {
   s.declared_version = std::max(declared_version_, 350);
   s.effective_version = version_given_ ? s.declared_version : 362;
   const bool modern = s.effective_version >= 370;
+  if (s.radiosity) s.radiosity->background_importance = default_importance_;
   if (assumed_gamma_given_) {
     s.gamma_mode = modern ? scene::GammaMode::explicit_ : scene::GammaMode::legacy;
   } else {

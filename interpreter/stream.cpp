@@ -9,6 +9,14 @@
 namespace durer::interpreter {
 namespace {
 
+/// A name that begins an object since 3.8 counts as a word from here on.
+void as_added_object(Token& token) {
+  const auto* name = token.node<ast::Name>();
+  if (name == nullptr || name->name != grammar::additions::lemon) return;
+  token.kind = Token::Kind::word;
+  token.word = name->name;
+}
+
 // Deeper than any scene needs, shallow enough for the machine stack: a macro call inside an
 // expression recurses in C++.
 constexpr std::size_t max_nesting = 4000;
@@ -193,6 +201,7 @@ bool Interpreter::step_item(Token& token) {
       }
       token.kind = Token::Kind::expr;
       token.expr = item.ref;
+      if (additions_) as_added_object(token);
       return true;
   }
   return false;

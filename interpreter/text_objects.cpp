@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <unordered_map>
 
 #include <fmt/format.h>
 
@@ -113,6 +114,8 @@ scene::Object Interpreter::read_text_object(std::uint32_t type, const Token& wor
   double pen = 0;
   double rise = 0;
   unsigned left = 0;
+  std::vector<scene::ObjectId> children;
+  std::unordered_map<unsigned, SharedList<double>> letters;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const unsigned index = font->index_of(text[i]);
     const Font::Glyph& glyph = font->glyph(index);
@@ -122,15 +125,21 @@ scene::Object Interpreter::read_text_object(std::uint32_t type, const Token& wor
       scene::Object letter;
       letter.type = type;
       letter.origin = o.origin;
-      letter.args.push_back(depth);
-      letter.args.insert(letter.args.end(), glyph.outline.begin(), glyph.outline.end());
+      SharedList<double>& operands = letters[index];  // a letter is kept once
+      if (operands.empty()) {
+        std::vector<double> list{depth};
+        list.insert(list.end(), glyph.outline.begin(), glyph.outline.end());
+        operands = list;
+      }
+      letter.args = operands;
       letter.transform = Transform::translate({pen, rise, 0});
-      o.children.push_back(add_object(std::move(letter)));
+      children.push_back(add_object(std::move(letter)));
     }
     pen += glyph.advance + offset.x;
     rise += offset.y;
     left = index;
   }
+  o.children = children;
   return o;
 }
 

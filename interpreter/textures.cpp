@@ -13,6 +13,7 @@ namespace w = grammar::words;
 // -------------------------------------------------------------------------------------
 
 scene::TextureId Interpreter::add_texture(scene::Texture texture) {
+  make_room(scene_.textures);
   scene_.textures.push_back(std::move(texture));
   return static_cast<scene::TextureId>(scene_.textures.size() - 1);
 }
@@ -87,23 +88,7 @@ void Interpreter::add_layers(scene::TextureUse& use, scene::TextureId added) {
 void Interpreter::edit_texture(scene::TextureUse& use, const Token& word) {
   if (use.texture == scene::none) use = {default_texture_, {}};
   if (word.is(w::pigment) && quick_pigment(use)) return;
-  scene::Texture t;
-  const bool own = use.texture == own_texture_ && own_texture_ != scene::none;
-  if (own) {
-    // Made by this very statement: nobody else has seen it, so it can be changed in place.
-    t = std::move(scene_.textures[use.texture]);
-    if (!use.transform.is_identity()) transform_texture(t, use.transform);
-  } else {
-    t = materialize(use);
-  }
-  edit_layer(top_layer(t, word.span), word);
-  if (own) {
-    scene_.textures[use.texture] = std::move(t);
-    use.transform = {};
-  } else {
-    use = {add_texture(std::move(t)), {}};
-    own_texture_ = use.texture;
-  }
+  change_texture(use, [&](scene::Texture& t) { edit_layer(top_layer(t, word.span), word); });
 }
 
 void Interpreter::edit_layer(scene::Layer& layer, const Token& word) {
@@ -195,7 +180,7 @@ void Interpreter::read_texture_items(scene::Texture& t, Span span, Token::Kind l
       default: break;
     }
     const bool known = pattern_words_.contains(token.word) || token.word == w::uv_mapping;
-    if (!known && !is_pattern_word(token.word) && token.word != w::material_map) {
+    if (!known && !is_pattern_word(token.word)) {
       bad_setting(token, "texture", span, texture_settings);
     }
     t.origin = origin(token.span);
@@ -244,16 +229,21 @@ void Interpreter::read_pattern_texture(scene::Texture& t, const Token& word, Tok
   const std::uint32_t index = pattern_words_.find(word.word)->second;
   const scene::PatternInfo& info = *registry_.patterns[index];
   choose_pattern(pattern, index);
-  if (info.only_normal) bad_setting(word, "texture", {}, texture_settings);
-  if (info.list_size > 0) read_texture_list(t, info.list_size);
+  if (info.only_normal || info.only_pigment) bad_setting(word, "texture", {}, texture_settings);
+  if (info.list_size > 0) {
+    open_list(pattern, word);
+    read_texture_list(t, info.list_size);
+    close_list(pattern, word);
+  }
   read_pattern_operands(pattern, word);
+  if (info.only_texture) read_materials(t, pattern, word.span);
   bool keep_scale = false;
   for (Token token = next(); token.kind != last; token = next()) {
     if (token.kind != Token::Kind::word) {
       unexpected(token, fmt::format("a modifier or `texture_map` after `{}`", info.name));
     }
     if (token.word == w::texture_map) {
-      if (info.list_size > 0) bad_map(token, &info);
+      if (info.list_size > 0 || info.only_texture) bad_map(token, &info);
       t.entries = read_texture_map(info.averages).entries;
     } else if (token.word == w::no_bump_scale) {
       keep_scale = read_switch(true);
@@ -263,6 +253,7 @@ void Interpreter::read_pattern_texture(scene::Texture& t, const Token& word, Tok
                   "transform");
     }
   }
+  check_pattern(pattern, false, {});
   t.pattern = std::move(pattern);
   if (t.entries.empty()) {
     fail(Code::missing_argument, word.span,
@@ -278,6 +269,19 @@ void Interpreter::read_texture_list(scene::Texture& t, int size) {
     t.entries.push_back({static_cast<float>(i), here ? read_texture("texture") : default_texture_});
     if (here) optional_comma();
   }
+}
+
+/// `texture {…} …` up to the end of a `material_map`: one for every number.
+void Interpreter::read_materials(scene::Texture& t, scene::Pattern& pattern, Span span) {
+  while (accept(w::texture)) {
+    t.entries.push_back({static_cast<float>(t.entries.size()), read_texture("texture")});
+    optional_comma();
+  }
+  expect_close("material_map", span);
+  if (t.entries.empty()) {
+    fail(Code::missing_argument, span, "a `material_map` needs at least one `texture`");
+  }
+  pattern.args = {static_cast<double>(t.entries.size())};
 }
 
 /// `tiles { texture {…} tile2 texture {…} }`, an old checker that begins with the other one.

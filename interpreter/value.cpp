@@ -32,6 +32,9 @@ std::string_view kind_name(const Value& value) {
     std::string_view operator()(const Shared<NormalMap>&) const { return "a normal map"; }
     std::string_view operator()(const Shared<SlopeMap>&) const { return "a slope map"; }
     std::string_view operator()(const Shared<TextureMap>&) const { return "a texture map"; }
+    std::string_view operator()(const Shared<Density>&) const { return "a density"; }
+    std::string_view operator()(const Shared<DensityMap>&) const { return "a density map"; }
+    std::string_view operator()(const Shared<scene::Media>&) const { return "a medium"; }
     std::string_view operator()(InteriorRef) const { return "an interior"; }
     std::string_view operator()(const Shared<Material>&) const { return "a material"; }
     std::string_view operator()(const Shared<Transform>&) const { return "a transform"; }

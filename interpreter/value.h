@@ -99,6 +99,13 @@ struct ColourMap {
   std::vector<scene::PigmentEntry> entries;
   std::vector<scene::Pigment> children;
 };
+struct Density {
+  scene::Pigment pigment;
+};
+struct DensityMap {
+  std::vector<scene::PigmentEntry> entries;
+  std::vector<scene::Pigment> children;
+};
 struct NormalMap {
   std::vector<scene::NormalEntry> entries;
   std::vector<scene::Normal> children;
@@ -131,8 +138,10 @@ using Shared = std::shared_ptr<const T>;
 using Thing =
     std::variant<ObjectRef, TextureRef, Shared<scene::Pigment>, Shared<scene::Finish>,
                  Shared<scene::Normal>, Shared<ColourMap>, Shared<NormalMap>, Shared<SlopeMap>,
-                 Shared<TextureMap>, InteriorRef, Shared<Material>, Shared<Transform>,
-                 Shared<CameraSpec>, Shared<scene::SkySphere>, Shared<scene::Fog>, Shared<scene::Rainbow>, std::shared_ptr<DataFile>,
+                 Shared<TextureMap>, Shared<Density>, Shared<DensityMap>, Shared<scene::Media>,
+                 InteriorRef, Shared<Material>, Shared<Transform>,
+                 Shared<CameraSpec>, Shared<scene::SkySphere>, Shared<scene::Fog>, Shared<scene::Rainbow>,
+                 std::shared_ptr<DataFile>,
                  Shared<UserFunction>, Shared<functions::Spline>, Shared<Unsupported>, std::shared_ptr<Dictionary>, Poison>;
 
 /// The few kinds that loops copy and overwrite all the time are alternatives of their own; the

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
 
@@ -38,6 +39,9 @@ static_assert(complete<Settings>);
 static_assert(complete<PigmentEntry>);
 static_assert(complete<Warp>);
 static_assert(complete<Pattern>);
+static_assert(complete<PaletteChange>);
+static_assert(complete<Image>);
+static_assert(complete<Voxels>);
 static_assert(complete<Pigment>);
 static_assert(complete<Finish>);
 static_assert(complete<NormalEntry>);
@@ -47,11 +51,12 @@ static_assert(complete<Layer>);
 static_assert(complete<TextureEntry>);
 static_assert(complete<Texture>);
 static_assert(complete<Interior>);
+static_assert(complete<Media>);
 static_assert(complete<Colour>);
 static_assert(complete<GammaCurve>);
 static_assert(complete<Affine>);
 // Each member of Scene has its own line in Dumper::scene(), origins are written with their users.
-static_assert(arity<Scene>() == 12);
+static_assert(arity<Scene>() == 13);
 
 template <typename T>
 concept HasWords = requires {
@@ -66,6 +71,11 @@ bool same(const SharedTransform& a, const SharedTransform& b);
 template <typename T>
 bool same(const std::vector<T>& a, const std::vector<T>& b) {
   return std::ranges::equal(a, b, [](const T& x, const T& y) { return same(x, y); });
+}
+
+template <typename T>
+bool same(const SharedList<T>& a, const SharedList<T>& b) {
+  return a == b;
 }
 
 bool same(const SharedTransform& a, const SharedTransform& b) {
@@ -125,6 +135,19 @@ std::string text_of(T x) {
   return fmt::format("{}", x);
 }
 
+/// Size and kind of a picture, and a hash of its pixels: pictures that differ have other words.
+std::string summary(const Picture& p) {
+  std::uint64_t hash = 14695981039346656037U;
+  const auto add = [&](std::uint64_t x) { hash = (hash ^ x) * 1099511628211U; };
+  for (const std::uint16_t code : p.codes) add(code);
+  for (const float sample : p.samples) add(std::bit_cast<std::uint32_t>(sample));
+  for (const auto& colour : p.palette) {
+    for (const std::uint8_t part : colour) add(part);
+  }
+  return fmt::format("{}x{}, {} x {} bits, {} colours, {:016x}", p.width, p.height, p.channels,
+                     p.bits, p.palette.size(), hash);
+}
+
 template <typename Writer>
 class Dumper {
  public:
@@ -146,6 +169,7 @@ class Dumper {
     value("objects", scene_.objects);
     value("textures", scene_.textures);
     value("interiors", scene_.interiors);
+    value("atmosphere", scene_.atmosphere);
     // Objects share meshes, and there they are numbers.
     out_.open_list("meshes");
     for (const Mesh* mesh : meshes_) structure("", *mesh);
@@ -179,6 +203,15 @@ class Dumper {
     value(name, *x);
   }
   void value(std::string_view name, const std::shared_ptr<const Pigment>& x) {
+    x ? structure(name, *x) : out_.nothing(name);
+  }
+  void value(std::string_view name, const std::shared_ptr<const Image>& x) {
+    x ? structure(name, *x) : out_.nothing(name);
+  }
+  void value(std::string_view name, const std::shared_ptr<const Picture>& x) {
+    x ? out_.word(name, summary(*x)) : out_.nothing(name);
+  }
+  void value(std::string_view name, const std::shared_ptr<const Voxels>& x) {
     x ? structure(name, *x) : out_.nothing(name);
   }
   void value(std::string_view name, const std::shared_ptr<const Isosurface>& x) {
@@ -216,6 +249,10 @@ class Dumper {
     out_.open_list(name);
     for (const T& x : list) value("", x);
     out_.close_list();
+  }
+  template <typename T>
+  void value(std::string_view name, const SharedList<T>& list) {
+    value(name, std::vector<T>(list.begin(), list.end()));
   }
   template <typename T>
   void value(std::string_view name, const std::vector<T>& list) {
@@ -294,7 +331,7 @@ class Dumper {
   }
 
   /// By name; what an open-ended type takes beyond its parameters is called `more`.
-  void operands(const TypeInfo* type, const std::vector<double>& args) {
+  void operands(const TypeInfo* type, std::span<const double> args) {
     out_.open_struct("args");
     std::size_t at = 0;
     const auto take = [&](std::string_view name, std::size_t count) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <tuple>
 
+#include "scene/image.h"
 #include "scene/mesh.h"
 #include "scene/scene.h"
 
@@ -61,6 +62,7 @@ struct Fields<ObjectExtras> {
                                   field("bounds", &ObjectExtras::bounds, Role::id),
                                   field("clip_transform", &ObjectExtras::clip_transform),
                                   field("bound_transform", &ObjectExtras::bound_transform),
+                                  field("media_transform", &ObjectExtras::media_transform),
                                   field("unsupported", &ObjectExtras::unsupported)};
 };
 
@@ -75,6 +77,8 @@ struct Fields<Object> {
       field("no_radiosity", &Object::no_radiosity),
       field("double_illuminate", &Object::double_illuminate),
       field("sturm", &Object::sturm),
+      field("importance", &Object::importance),
+      field("kept_whole", &Object::kept_whole),
       field("hollow", &Object::hollow),
       field("uv_mapping", &Object::uv_mapping),
       field("global_lights", &Object::global_lights),
@@ -225,6 +229,30 @@ struct Fields<SkySphere> {
 };
 
 template <>
+struct Fields<Radiosity> {
+  static constexpr std::tuple all{field("count", &Radiosity::count),
+                                  field("pool", &Radiosity::pool),
+                                  field("recursion_limit", &Radiosity::recursion_limit),
+                                  field("error_bound", &Radiosity::error_bound),
+                                  field("low_error_factor", &Radiosity::low_error_factor),
+                                  field("nearest_count", &Radiosity::nearest_count),
+                                  field("adaptive_count", &Radiosity::adaptive_count),
+                                  field("minimum_reuse", &Radiosity::minimum_reuse),
+                                  field("maximum_reuse", &Radiosity::maximum_reuse),
+                                  field("gray_threshold", &Radiosity::gray_threshold),
+                                  field("brightness", &Radiosity::brightness),
+                                  field("max_sample", &Radiosity::max_sample),
+                                  field("adc_bailout", &Radiosity::adc_bailout),
+                                  field("pretrace_start", &Radiosity::pretrace_start),
+                                  field("pretrace_end", &Radiosity::pretrace_end),
+                                  field("always_sample", &Radiosity::always_sample),
+                                  field("normal", &Radiosity::normal),
+                                  field("media", &Radiosity::media),
+                                  field("subsurface", &Radiosity::subsurface),
+                                  field("background_importance", &Radiosity::background_importance)};
+};
+
+template <>
 struct Fields<Fog> {
   static constexpr std::tuple all{
       field("kind", &Fog::kind),           field("distance", &Fog::distance),
@@ -259,6 +287,7 @@ struct Fields<Settings> {
                                   field("noise_generator", &Settings::noise_generator),
                                   field("number_of_waves", &Settings::number_of_waves),
                                   field("mm_per_unit", &Settings::mm_per_unit),
+                                  field("radiosity", &Settings::radiosity),
                                   field("gamma_mode", &Settings::gamma_mode),
                                   field("assumed_gamma", &Settings::assumed_gamma),
                                   field("effective_version", &Settings::effective_version),
@@ -281,11 +310,45 @@ struct Fields<Warp> {
 };
 
 template <>
+struct Fields<PaletteChange> {
+  static constexpr std::tuple all{field("index", &PaletteChange::index),
+                                  field("value", &PaletteChange::value)};
+};
+
+template <>
+struct Fields<Image> {
+  static constexpr std::tuple all{
+      field("picture", &Image::picture),
+      field("stored", &Image::stored),
+      field("working", &Image::working),
+      field("projection", &Image::projection),
+      field("interpolation", &Image::interpolation),
+      field("once", &Image::once),
+      field("use_index", &Image::use_index),
+      field("use_alpha", &Image::use_alpha),
+      field("premultiplied", &Image::premultiplied),
+      field("repeat", &Image::repeat),
+      field("offset", &Image::offset),
+      field("filter_all", &Image::filter_all),
+      field("transmit_all", &Image::transmit_all),
+      field("filter", &Image::filter),
+      field("transmit", &Image::transmit)};
+};
+
+template <>
+struct Fields<Voxels> {
+  static constexpr std::tuple all{field("size", &Voxels::size), field("width", &Voxels::width),
+                                  field("bytes", &Voxels::bytes)};
+};
+
+template <>
 struct Fields<Pattern> {
   static constexpr std::tuple all{field("type", &Pattern::type, Role::pattern),
                                   field("args", &Pattern::args, Role::operands),
                                   field("function", &Pattern::function),
                                   field("pigment", &Pattern::pigment),
+                                  field("image", &Pattern::image),
+                                  field("voxels", &Pattern::voxels),
                                   field("warps", &Pattern::warps),
                                   field("transform", &Pattern::transform),
                                   field("frequency", &Pattern::frequency),
@@ -313,6 +376,8 @@ struct Fields<Finish> {
                                   field("emission", &Finish::emission),
                                   field("diffuse", &Finish::diffuse),
                                   field("diffuse_back", &Finish::diffuse_back),
+                                  field("indirect", &Finish::indirect),
+                                  field("indirect_back", &Finish::indirect_back),
                                   field("brilliance", &Finish::brilliance),
                                   field("phong", &Finish::phong),
                                   field("phong_size", &Finish::phong_size),
@@ -398,8 +463,32 @@ struct Fields<Interior> {
                                   field("fade_power", &Interior::fade_power),
                                   field("fade_colour", &Interior::fade_colour),
                                   field("refraction", &Interior::refraction),
+                                  field("media", &Interior::media),
                                   field("origin", &Interior::origin, Role::place),
                                   field("unsupported", &Interior::unsupported)};
+};
+
+template <>
+struct Fields<Media> {
+  static constexpr std::tuple all{field("absorption", &Media::absorption),
+                                  field("emission", &Media::emission),
+                                  field("scattering", &Media::scattering),
+                                  field("phase", &Media::phase),
+                                  field("eccentricity", &Media::eccentricity),
+                                  field("extinction", &Media::extinction),
+                                  field("collect", &Media::collect),
+                                  field("densities", &Media::densities),
+                                  field("method", &Media::method),
+                                  field("intervals", &Media::intervals),
+                                  field("min_samples", &Media::min_samples),
+                                  field("max_samples", &Media::max_samples),
+                                  field("confidence", &Media::confidence),
+                                  field("variance", &Media::variance),
+                                  field("ratio", &Media::ratio),
+                                  field("jitter", &Media::jitter),
+                                  field("aa_threshold", &Media::aa_threshold),
+                                  field("aa_level", &Media::aa_level),
+                                  field("origin", &Media::origin, Role::place)};
 };
 
 template <>
@@ -451,8 +540,22 @@ struct Words<Fog::Kind> {
   static constexpr std::array<std::string_view, 2> all{"constant", "ground"};
 };
 template <>
+struct Words<Phase> {
+  static constexpr std::array<std::string_view, 5> all{"isotropic", "mie_hazy", "mie_murky",
+                                                       "rayleigh", "henyey_greenstein"};
+};
+template <>
 struct Words<GammaMode> {
   static constexpr std::array<std::string_view, 4> all{"off", "legacy", "explicit", "implied"};
+};
+template <>
+struct Words<Image::Projection> {
+  static constexpr std::array<std::string_view, 4> all{"planar", "spherical", "cylindrical",
+                                                       "toroidal"};
+};
+template <>
+struct Words<Image::Interpolation> {
+  static constexpr std::array<std::string_view, 4> all{"nearest", "bilinear", "bicubic", "distance"};
 };
 template <>
 struct Words<Wave> {

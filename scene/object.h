@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/boxed.h"
+#include "base/shared_list.h"
 #include "scene/function_surface.h"
 #include "scene/height_field.h"
 #include "scene/mesh.h"
@@ -45,6 +46,7 @@ struct ObjectExtras {
   /// The clips and bounds above live in this space of their own → surrounding space.
   SharedTransform clip_transform;
   SharedTransform bound_transform;
+  SharedTransform media_transform;  // of the densities inside → surrounding space
   std::string unsupported;  // the feature's name, when it cannot be rendered yet
 };
 
@@ -61,6 +63,8 @@ struct Object {
   bool no_radiosity = false;
   bool double_illuminate = false;
   bool sturm = false;
+  float importance = 0;  // of radiosity, 0…1; 0: not said, that of the object around, or 1
+  bool kept_whole = false;  // a union: `split_union off`
   std::optional<bool> hollow;
   /// Textures are looked up at (u, v, 0) and stay where they are when the object is moved.
   bool uv_mapping = false;
@@ -70,8 +74,8 @@ struct Object {
   LightId light = none;
   InteriorId interior = none;
   OriginId origin = 0;
-  std::vector<double> args;        // primitive: operands, laid out by its Params
-  std::vector<ObjectId> children;  // CSG
+  SharedList<double> args;        // primitive: operands, laid out by its Params
+  SharedList<ObjectId> children;  // CSG
   SharedTransform transform;
   TextureUse texture;  // .texture == none: inherits (objects §9.3)
   Boxed<ObjectExtras> extras;

@@ -25,13 +25,17 @@ struct Warp {
 };
 
 struct Pigment;
+struct Image;
+struct Voxels;
 
 /// What makes a value of a point.
 struct Pattern {
   std::uint32_t type = none;  // index into Registry::patterns
   std::vector<double> args;   // the pattern's operands, laid out by its Params
-  functions::FunctionRef function;  // of x, y, z; what the pattern `function` evaluates
+  functions::FunctionRef function;  // of x, y, z; for the patterns `function` and `object`
   std::shared_ptr<const Pigment> pigment;  // what the pattern `pigment_pattern` looks at
+  std::shared_ptr<const Image> image;      // what `image_map` and its like show
+  std::shared_ptr<const Voxels> voxels;    // what `density_file` looks up
   std::vector<Warp> warps;    // in written order: the last one acts first
   SharedTransform transform;  // after all warps: pattern space → the space around
   float frequency = 1;

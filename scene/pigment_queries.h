@@ -19,6 +19,9 @@ class PigmentQueries {
   /// The pigment's red, green, blue, filter and transmit at x, y, z, in single precision.
   [[nodiscard]] virtual functions::External pigment_function(const Scene& scene,
                                                              const Pigment& pigment) = 0;
+  /// 1 where x, y, z is inside of the object, 0 elsewhere.
+  [[nodiscard]] virtual functions::External inside_function(const Scene& scene,
+                                                            ObjectId object) = 0;
 };
 
 }  // namespace durer::scene

@@ -13,8 +13,10 @@
 #include "scene/atmosphere.h"
 #include "scene/camera.h"
 #include "scene/light.h"
+#include "scene/media.h"
 #include "scene/object.h"
 #include "scene/origin.h"
+#include "scene/radiosity.h"
 #include "scene/texture.h"
 
 namespace durer::scene {
@@ -39,6 +41,7 @@ struct Settings {
   int noise_generator = 0;   // 1, 2 or 3; the interpreter resolves the default
   int number_of_waves = 10;  // sources of the `waves` and `ripples` patterns
   double mm_per_unit = 10;   // scale of subsurface light transport
+  std::optional<Radiosity> radiosity;
   GammaMode gamma_mode = GammaMode::off;
   GammaCurve assumed_gamma;  // meaning of scene numbers; identity curve in mode `off`
   /// Hundredths; decides opacity, sky and gamma rules at render time (shading §1.1).
@@ -64,6 +67,7 @@ struct Scene {
   std::vector<Light> lights;
   std::vector<Texture> textures;
   std::vector<Interior> interiors;
+  std::vector<Media> atmosphere;  // media that fill the space outside of bodies, and hollow ones
   Camera camera;
   Colour background{.rgb = vec3(0.0F), .filter = 0, .transmit = 1};
   std::optional<SkySphere> sky_sphere;

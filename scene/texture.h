@@ -48,6 +48,9 @@ struct Finish {
   vec3 emission{0.0F};
   float diffuse = 0.6F;
   float diffuse_back = 0;
+  // Both as they are written: `albedo` does not change what indirect light does.
+  float indirect = 0.6F;
+  float indirect_back = 0;
   float brilliance = 1;
   float phong = 0;
   float phong_size = 40;
@@ -100,6 +103,21 @@ struct Normal {
   std::string unsupported;
 };
 
+/// True if it, or something in it, is looked up at (u, v, 0) of the object.
+[[nodiscard]] bool uses_uv(const Pattern& pattern);
+template <typename Look>  // Pigment or Normal
+[[nodiscard]] bool uses_uv(const Look& look) {
+  if (look.uv_mapping || uses_uv(look.pattern)) return true;
+  for (const Look& child : look.children) {
+    if (uses_uv(child)) return true;
+  }
+  return false;
+}
+
+inline bool uses_uv(const Pattern& pattern) {
+  return pattern.pigment != nullptr && uses_uv(*pattern.pigment);
+}
+
 struct Layer {
   Boxed<Pigment> pigment;
   Boxed<Finish> finish;
@@ -128,7 +146,6 @@ struct Texture {
   [[nodiscard]] bool patterned() const { return !entries.empty(); }
 };
 
-/// Volume side of a surface (shading §5).
 /// False if the texture looks the same wherever it is placed: plain colours, no bumps.
 [[nodiscard]] inline bool has_place(const Texture& texture) {
   if (texture.patterned()) return true;
@@ -138,6 +155,9 @@ struct Texture {
   return false;
 }
 
+struct Media;
+
+/// Volume side of a surface (shading §5).
 struct Interior {
   double ior = -1;  // negative: the atmosphere's
   double dispersion = 1;
@@ -147,6 +167,7 @@ struct Interior {
   double fade_power = 0;
   vec3 fade_colour{0.0F};
   float refraction = 1;
+  Boxed<std::vector<Media>> media;  // all of them act at once
   OriginId origin = 0;
   std::string unsupported;
 };
@@ -155,6 +176,8 @@ struct Interior {
 struct TextureUse {
   TextureId texture = none;
   SharedTransform transform;  // texture space → space around the object that carries it
+
+  friend bool operator==(const TextureUse&, const TextureUse&) = default;
 };
 
 }  // namespace durer::scene

@@ -80,8 +80,13 @@ struct PatternInfo : TypeInfo {
   bool unwrapped = false;       // frequency is 0 unless it is set; so it is for block patterns
   bool takes_function = false;  // `{ … }` of x, y, z follows its name
   bool takes_pigment = false;   // `{ … }` as of a pigment follows its name
+  bool takes_image = false;     // `{ … }` with a picture follows its name
+  bool takes_voxels = false;    // `df3` and the name of a density file follow its name
+  bool takes_object = false;    // `{ … }` with an object and a list follows its name
   bool averages = false;        // all entries of its map count, by weight
+  bool only_pigment = false;    // has colours of its own instead of a value
   bool only_normal = false;     // cannot colour anything
+  bool only_texture = false;    // chooses among textures alone
 };
 
 /// Everything the interpreter may bind, in the order of the registration lists; indices into these

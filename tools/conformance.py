@@ -147,10 +147,10 @@ def _replace(path: Path, data: bytes) -> None:
 
 # ---- verdicts ----------------------------------------------------------------------------------
 
-def judge(name: str, place: Workplace) -> Row:
-    """Renders one scene with both programs and compares."""
+def judge(name: str, place: Workplace, library: list[str]) -> Row:
+    """Renders one scene with both programs and compares; `library`: options that choose the includes."""
     expected, oracle_error, oracle_time = oracle_picture(name, place)
-    result = programs.render_with_durer(place.scene("durer", name), OPTIONS, DURER_LIMIT)
+    result = programs.render_with_durer(place.scene("durer", name), [*OPTIONS, *library], DURER_LIMIT)
     made, crashed = result.picture, result.run.code < 0 and not result.run.timed_out
 
     def row(kind: str, note: str = "", decibels: float | None = None) -> Row:
@@ -247,6 +247,8 @@ def options() -> argparse.Namespace:
     parser.add_argument("--html", type=Path, metavar="FOLDER", help="write a page with all pictures there")
     parser.add_argument("--baseline", type=Path, default=BASELINE, metavar="FILE")
     parser.add_argument("--update-baseline", action="store_true", help="take these verdicts as the new baseline")
+    parser.add_argument("--stdlib", choices=["ours", "oracle"], default="ours",
+                        help="whose standard includes durer reads")
     parser.add_argument("--check", action="store_true", help="interpret only, and tell what refused scenes lack")
     parser.add_argument("--oracle-only", action="store_true", help="only fill the cache of the oracle's pictures")
     return parser.parse_args()
@@ -268,7 +270,7 @@ def main() -> int:
         if not programs.durer_path().exists():
             print(f"conformance: {programs.durer_path()} is not built: `make build`", file=sys.stderr)
             return 2
-        return check(scenes, place, args.jobs) if args.check else compare(scenes, place, args)
+        return check(scenes, place, args) if args.check else compare(scenes, place, args)
 
 
 def reasons(done: programs.Run) -> list[str]:
@@ -282,16 +284,21 @@ def reasons(done: programs.Run) -> list[str]:
     return sorted(set(missing)) if len(missing) == len(found) else [f"{code}: {text}" for code, text in found]
 
 
-def check(scenes: list[str], place: Workplace, jobs: int) -> int:
+def library_options(args: argparse.Namespace) -> list[str]:
+    """The folders of +L come before our own library."""
+    return [f"+L{programs.INCLUDES}"] if args.stdlib == "oracle" else []
+
+
+def check(scenes: list[str], place: Workplace, args: argparse.Namespace) -> int:
     """Interprets the scenes without rendering: what each refused one lacks, and how many lack it."""
     def interpret(name: str) -> programs.Run:
         scene = place.scene("durer", name)
-        return programs.run([str(programs.durer_path()), "check", scene.name], scene.parent, DURER_LIMIT)
+        return programs.run([str(programs.durer_path()), "check", *library_options(args), scene.name], scene.parent, DURER_LIMIT)
 
     known = read_baseline(BASELINE)
     counts: Counter[str] = Counter()
     refused, wrong = 0, []
-    with ThreadPoolExecutor(max(1, jobs)) as pool:
+    with ThreadPoolExecutor(max(1, args.jobs)) as pool:
         for name, done in zip(scenes, pool.map(interpret, scenes)):
             if done.code == 0:
                 continue
@@ -323,7 +330,7 @@ def compare(scenes: list[str], place: Workplace, args: argparse.Namespace) -> in
     print(f"{'scene':<{width}}  {'class':<16} {'dB':>5}  {'oracle s':>8}  {'durer s':>8}  note")
     rows = []
     with ThreadPoolExecutor(max(1, args.jobs)) as pool:
-        for row in pool.map(judge, scenes, [place] * len(scenes)):
+        for row in pool.map(lambda name: judge(name, place, library_options(args)), scenes):
             print(line_of(row, width), flush=True)
             rows.append(row)
 

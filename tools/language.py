@@ -14,6 +14,7 @@ prelude and the places of the lines as they are in the file. What must come of i
     // beyond                  POV-Ray reports an error here; what is expected is our own
     // before                  POV-Ray fails too, but elsewhere: later in the text or in another file
     // later: WHAT; WHAT       POV-Ray does it; we say that we cannot do this yet (D0220)
+    // chatty                  the includes of both programs print more: only lines that begin with `= ` count
     // each: WORD...           the case stands for many: `@` is one of these words in turn
 
 Files that scenes include or read are in tests/language/files; `verify` needs POV-Ray, `check` does not.
@@ -37,7 +38,7 @@ import answers
 import programs
 
 FOLDER = programs.ROOT / "tests" / "language"
-MARKS = re.compile(r"// (expect|error|beyond|before|later|each)(?:: ?(.*))?$")
+MARKS = re.compile(r"// (expect|error|beyond|before|later|chatty|each)(?:: ?(.*))?$")
 NOT_YET = "D0220"
 
 
@@ -54,6 +55,7 @@ class Case:
     error: str
     beyond: bool
     before: bool
+    chatty: bool
     later: tuple[str, ...]
 
     @property
@@ -87,7 +89,7 @@ def cases_of(path: Path) -> list[Case]:
                 marks[mark[1]].append(mark[2] or "")
             kept.append(line if inside and not mark else "")
         case = Case(path, lines[start][3:].strip(), start, end, "\n".join(kept).rstrip("\n"), marks["expect"],
-                    next(iter(marks["error"]), ""), "beyond" in marks, "before" in marks,
+                    next(iter(marks["error"]), ""), "beyond" in marks, "before" in marks, "chatty" in marks,
                     tuple(what.strip() for line in marks["later"] for what in line.split(";")))
         words = [word for line in marks["each"] for word in shlex.split(line)]
         found += [case.standing_for(word) for word in words] if words else [case]
@@ -106,6 +108,11 @@ def lines_of(text: str) -> list[str]:
     return [line.rstrip() for line in text.removesuffix("\n").split("\n")] if text.strip("\n") else []
 
 
+def told(case: Case, printed: answers.Printed) -> list[str]:
+    """What a program printed because the case says so."""
+    return [line for line in lines_of(printed.text) if not case.chatty or line.startswith("= ")]
+
+
 def error_of(case: Case, durer: answers.Printed) -> str:
     code = re.search(r"D\d{4}", durer.error or "")
     if durer.file not in ("", case.file):
@@ -122,8 +129,8 @@ def judge_durer(case: Case) -> str | None:
     if not case.recorded:
         return "has no expectation; see `language.py record`"
     durer = ask(case, answers.ask_durer)
-    if lines_of(durer.text) != case.prints:
-        return f"printed {lines_of(durer.text)}, expected {case.prints}" + (f"; {durer.error}" if durer.error else "")
+    if told(case, durer) != case.prints:
+        return f"printed {told(case, durer)}, expected {case.prints}" + (f"; {durer.error}" if durer.error else "")
     if NOT_YET in (durer.error or ""):
         for what in case.later:
             if what in (durer.error or ""):
@@ -142,8 +149,8 @@ def judge_oracle(case: Case) -> str | None:
         return None if oracle.error else "POV-Ray accepts this; it is not beyond it"
     if (oracle.error is not None) != bool(case.error):
         return f"POV-Ray: {oracle.error or 'no error'}"
-    if not case.error and lines_of(oracle.text) != case.prints:
-        return f"POV-Ray printed {lines_of(oracle.text)}, not {case.prints}"
+    if not case.error and told(case, oracle) != case.prints:
+        return f"POV-Ray printed {told(case, oracle)}, not {case.prints}"
     if case.error and not case.before and oracle.line and oracle.line != int(re.search(r" at (-?\d+)", case.error)[1]) + case.first + 1:
         return f"POV-Ray reports line {oracle.line}: {oracle.error}"
     return None
@@ -191,7 +198,7 @@ def marks_of(case: Case) -> list[str]:
         return [*(f"// expect: {line}".rstrip() for line in lines_of(durer.text)), *error]
     oracle = ask(case, answers.ask_oracle)
     if oracle.error is None:
-        prints = lines_of(oracle.text)
+        prints = told(case, oracle)
         if not prints:
             print(f"{case.name()}: prints nothing")
         durer = ask(case, answers.ask_durer)

@@ -11,44 +11,58 @@ namespace {
 
 // Words of a finish that are meant for the interior count in plain textures only; of several
 // layers, the outermost speaks.
-const scene::Finish* interior_words(const scene::Scene& scene, const Surface& surface) {
-  const scene::Texture& texture = scene.textures[surface.texture.texture];
+const scene::Finish* interior_words(const scene::Scene& scene, scene::TextureId id) {
+  if (id == scene::none) return nullptr;
+  const scene::Texture& texture = scene.textures[id];
   return texture.layers.empty() ? nullptr : &*texture.layers.back().finish;
 }
 
 bool all_supported(const scene::Scene& scene, const Geometry& geometry, Diagnostics& diagnostics) {
   UnsupportedReport report(scene, diagnostics);
-  for (const Leaf& leaf : geometry.leaves()) {
-    const Surface& surface = geometry.surfaces()[leaf.surface];
-    report.check_texture(surface.texture.texture);
-    if (surface.part_textures != nullptr) {
-      for (const scene::TextureId id : *surface.part_textures) report.check_texture(id);
-    }
-    if (surface.interior_texture.texture != scene::none) {
-      report.check_texture(surface.interior_texture.texture);
-    }
-    const scene::InteriorId interior = geometry.interiors()[leaf.interior].interior;
-    if (interior != scene::none) report.check_interior(interior);
+  const auto check = [&report](scene::TextureId id) {
+    if (id != scene::none && id != texture_of_placement) report.check_texture(id);
+  };
+  for (const Surface& surface : geometry.surfaces()) {
+    check(surface.texture.texture);
+    check(surface.interior_texture.texture);
+    if (surface.part_textures == nullptr) continue;
+    for (const scene::TextureId id : *surface.part_textures) check(id);
   }
+  for (const InteriorInstance& instance : geometry.interiors()) {
+    if (instance.interior != scene::none && instance.texture != scene::none) {
+      report.check_interior(instance.interior);
+    }
+  }
+  report.check_media(scene.atmosphere);
   if (scene.sky_sphere) {
     for (const scene::Pigment& p : scene.sky_sphere->pigments) report.check_sky_pigment(p);
   }
   return !diagnostics.has_errors();
 }
 
+ProgramId add_texture(CompiledScene& out, const scene::TextureUse& use) {
+  return use.texture == texture_of_placement ? program_of_placement : out.textures.add(use);
+}
+
+bool is_opaque(const CompiledScene& scene, const SurfaceProgram& surface, bool of_placements) {
+  const auto opaque = [&](ProgramId id) {
+    return id == program_of_placement ? of_placements : scene.textures.program(id).opaque;
+  };
+  return opaque(surface.outside) && opaque(surface.inside);
+}
+
 void compile_surfaces(CompiledScene& out) {
-  std::vector<bool> opaque;
+  std::vector<bool> opaque_parts;
   for (const Surface& s : out.geometry.surfaces()) {
     SurfaceProgram program;
-    program.outside = out.textures.add(s.texture);
+    program.outside = add_texture(out, s.texture);
     program.inside = s.interior_texture.texture == scene::none
                          ? program.outside
-                         : out.textures.add(s.interior_texture);
+                         : add_texture(out, s.interior_texture);
     program.double_illuminate = s.double_illuminate;
     program.uv_mapping = s.uv_mapping;
     program.lamps = s.lamps;
-    bool all_opaque = out.textures.program(program.outside).opaque &&
-                      out.textures.program(program.inside).opaque;
+    bool all_opaque = true;
     if (s.part_textures != nullptr) {
       program.has_parts = true;
       program.first_part = static_cast<std::uint32_t>(out.part_textures.size());
@@ -59,23 +73,33 @@ void compile_surfaces(CompiledScene& out) {
       }
     }
     out.surfaces.push_back(program);
-    opaque.push_back(all_opaque);
+    opaque_parts.push_back(all_opaque);
+  }
+  // Contents are opaque if they are so wherever they are placed.
+  bool placements = true;
+  for (const Placement& placement : out.geometry.placements()) {
+    placements = placements && is_opaque(out, out.surfaces[placement.surface], true);
+  }
+  std::vector<bool> opaque;
+  for (std::size_t i = 0; i < out.surfaces.size(); ++i) {
+    opaque.push_back(opaque_parts[i] && is_opaque(out, out.surfaces[i], placements));
   }
   out.geometry.set_opaque(std::move(opaque));
 }
 
 void compile_interiors(const scene::Scene& scene, CompiledScene& out) {
   const auto instances = out.geometry.interiors();
-  std::vector<const scene::Finish*> finishes(instances.size());
-  for (const Leaf& leaf : out.geometry.leaves()) {
-    finishes[leaf.interior] = interior_words(scene, out.geometry.surfaces()[leaf.surface]);
-  }
   out.interiors.reserve(instances.size());
   for (std::size_t i = 0; i < instances.size(); ++i) {
     const scene::InteriorId id = instances[i].interior;
     const scene::Interior* interior = id == scene::none ? nullptr : &scene.interiors[id];
-    out.interiors.push_back(compile_interior(interior, instances[i].hollow, finishes[i]));
+    out.interiors.push_back(compile_interior(interior, instances[i].hollow,
+                                             interior_words(scene, instances[i].texture)));
+    if (interior != nullptr && out.quality.atmosphere) {
+      out.interiors.back().media = out.media.add(*interior->media, instances[i].to_world);
+    }
   }
+  if (out.quality.atmosphere) out.air_media = out.media.add(scene.atmosphere, {});
 }
 
 bool compile_lights(const scene::Scene& scene, CompiledScene& out, Diagnostics& diagnostics) {

@@ -2,16 +2,19 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "tracer/compile.h"
 #include "tracer/geometry.h"
+#include "tracer/placements.h"
 #include "tracer/lights/light.h"
 #include "tracer/quality.h"
 #include "tracer/shading/atmosphere.h"
 #include "tracer/shading/interior.h"
 #include "tracer/shading/sky.h"
 #include "tracer/shading/texture.h"
+#include "tracer/transport/radiosity.h"
 
 namespace durer::tracer {
 
@@ -26,9 +29,14 @@ struct SurfaceProgram {
   std::uint32_t first_part = 0;  // index into CompiledScene::part_textures
 };
 
+/// Stands for what shared contents receive from outside: see Placement::surface.
+inline constexpr ProgramId program_of_placement = scene::none - 1;
+
 struct CompiledScene {
   CompiledScene(const scene::Scene& s, Geometry g, Quality q)
-      : scene(&s), quality(q), geometry(std::move(g)), textures(s, q), sky(s), atmosphere(s) {}
+      : scene(&s), quality(q), geometry(std::move(g)), textures(s, q), sky(s), atmosphere(s), media(s.settings) {
+    if (s.settings.radiosity && q.radiosity) radiosity.emplace(s);
+  }
 
   const scene::Scene* scene;
   Quality quality;
@@ -36,12 +44,15 @@ struct CompiledScene {
   TextureStore textures;
   Sky sky;
   Atmosphere atmosphere;
+  std::optional<RadiosityProgram> radiosity;
   std::vector<SurfaceProgram> surfaces;  // parallel to geometry.surfaces()
   std::vector<ProgramId> part_textures;
   std::vector<Interior> interiors;       // parallel to geometry.interiors()
   std::vector<Light> lights;
   std::vector<Reach> reaches;  // parallel to `lights`
   std::vector<Geometry> projectors;  // what lamps shine through, each alone
+  MediaStore media;      // empty at qualities that leave media out
+  MediaRange air_media;  // of `media`: those that are everywhere
   Containment around_camera;  // bodies that hold the camera's location
 };
 

@@ -53,7 +53,7 @@ class Measure {
     switch (o.kind) {
       case NodeKind::primitive: b = primitive(o, inner); break;
       case NodeKind::light:
-        if (!o.children.empty()) return box(o.children.front(), inner, inverted);
+        if (!o.children.empty()) return box(o.children[0], inner, inverted);
         b = Bounds3::everything();
         break;
       case NodeKind::unsupported: b = Bounds3::everything(); break;

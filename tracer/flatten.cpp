@@ -28,7 +28,9 @@ struct Context {
   bool muted = false;       // part of a clip
   bool splits = true;       // a plain union here falls apart into its children
   bool flags_count = true;  // inside an intersection the flags of children do not (objects §9.2)
-  std::uint8_t mask = seen_by_image | seen_by_reflection | casts_shadow;
+  bool whole = false;  // inside a union that is not split: some flags of children do not either
+  std::uint8_t mask = seen_by_image | seen_by_reflection | casts_shadow | seen_by_gathering;
+  float importance = 1;
   bool double_illuminate = false;
   std::optional<bool> hollow;
   scene::TextureUse texture{none, {}};  // texture space → world
@@ -38,6 +40,9 @@ struct Context {
   std::uint32_t gate = none;
   std::uint32_t direct_of = none;  // the light group whose direct child this is
   std::uint32_t lamps = 0;         // index into lamp_sets_
+  bool received_by_uv = false;  // what shared contents receive from outside lies on the surface
+
+  friend bool operator==(const Context&, const Context&) = default;
 };
 
 /// Finds the surface that looks the same, so that thousands of objects can share one.
@@ -80,19 +85,17 @@ class SurfaceTable {
 
 class Flattener {
  public:
-  Flattener(const scene::Scene& scene, Diagnostics& diagnostics)
-      : scene_(scene), diagnostics_(diagnostics), surfaces_(flat_.surfaces) {
+  Flattener(const scene::Scene& scene, Diagnostics& diagnostics, const SharingLimits& limits)
+      : scene_(scene),
+        diagnostics_(diagnostics),
+        sharing_(scene, limits),
+        surfaces_(flat_.surfaces) {
     flat_.noise_generator = scene.settings.resolved_noise_generator();
   }
 
   Flat run() {
     for (const scene::Root& root : scene_.roots) add_root(root, {});
-    for (const LampSet& set : lamp_sets_) {
-      flat_.lamp_sets.push_back(set.outside);
-      std::vector<std::uint32_t>& all = flat_.lamp_sets.back();
-      all.insert(all.end(), set.inside.begin(), set.inside.end());
-    }
-    return std::move(flat_);
+    return finish();
   }
 
   Flat run(scene::ObjectId object, const Transform& to_world) {
@@ -100,14 +103,24 @@ class Flattener {
     alone.to_world = to_world;
     alone.flags_count = false;
     add_root({object, none}, alone);
-    return std::move(flat_);
+    return finish();
   }
 
  private:
+  Flat finish() {
+    flat_.world = std::move(world_);
+    for (const LampSet& set : lamp_sets_) {
+      flat_.lamp_sets.push_back(set.outside);
+      flat_.lamp_sets.back().insert(flat_.lamp_sets.back().end(), set.inside.begin(),
+                                    set.inside.end());
+    }
+    return std::move(flat_);
+  }
+
   void add_root(const scene::Root& root, const Context& around) {
     default_texture_ = root.default_texture;
     if (const std::uint32_t node = visit(root.object, around); node != none) {
-      flat_.entries.push_back({node, entry_interior_});
+      group_->entries.push_back({node, entry_interior_});
     }
   }
 
@@ -122,6 +135,11 @@ class Flattener {
     Context own = inherit(id, around);
     own.direct_of = none;
     if (object.kind == NodeKind::light_group) enter_group(object, own);
+    if (own.scenery && around.splits && depth_ < max_placement_depth &&
+        object.extras->clips.empty() && sharing_.shares(object, own.to_world)) {
+      add_placement(object, own);
+      return none;
+    }
     const std::uint32_t body =
         object.kind == NodeKind::primitive ? add_leaf(object, own) : add_csg(object, own, around);
     if (body == none) return none;
@@ -137,10 +155,14 @@ class Flattener {
     own.double_illuminate = around.double_illuminate || object.double_illuminate;
     if (object.hollow) own.hollow = object.hollow;
     if (own.flags_count) {
-      if (object.no_image) own.mask &= static_cast<std::uint8_t>(~seen_by_image);
+      if (object.no_image && !around.whole) own.mask &= static_cast<std::uint8_t>(~seen_by_image);
       if (object.no_reflection) own.mask &= static_cast<std::uint8_t>(~seen_by_reflection);
-      if (object.no_shadow) own.mask &= static_cast<std::uint8_t>(~casts_shadow);
+      if (object.no_shadow && !around.whole) own.mask &= static_cast<std::uint8_t>(~casts_shadow);
+      if (object.no_radiosity) own.mask &= static_cast<std::uint8_t>(~seen_by_gathering);
     }
+    if (object.importance > 0) own.importance = object.importance;
+    own.whole = object.kind == NodeKind::union_ &&
+                (around.whole || !around.splits || stays_whole(object));
     if (!own.scenery) return own;
     const auto place = [&](const scene::TextureUse& use, scene::TextureUse& to) {
       if (use.texture == none) return;
@@ -154,12 +176,31 @@ class Flattener {
     place(object.texture, own.texture);
     place(object.extras->interior_texture, own.interior_texture);
     if (object.interior != none || own.interior == none) {
-      own.interior = static_cast<std::uint32_t>(flat_.interiors.size());
-      flat_.interiors.push_back({object.interior, false});
+      own.interior = static_cast<std::uint32_t>(group_->interiors.size());
+      SharedTransform media;
+      if (object.interior != none && !scene_.interiors[object.interior].media->empty()) {
+        media = object.extras->media_transform.then(around.to_world);
+      }
+      group_->interiors.push_back({object.interior, false, media});
     }
-    flat_.interiors[own.interior].hollow = own.hollow.value_or(false);
+    group_->interiors[own.interior].hollow = own.hollow.value_or(false);
     if (!object.extras->bounds.empty()) add_gate(id, around, own);
     return own;
+  }
+
+  // The oracle splits unions into their children, but not those that are clipped, or bounded and
+  // finite. Of what is not split, all casts shadows and is seen, or nothing (objects §9.2).
+  bool stays_whole(const Object& object) {
+    if (object.kind != NodeKind::union_) return false;
+    if (object.kept_whole || !object.extras->clips.empty()) return true;
+    if (object.extras->bounds.empty()) return false;
+    const auto [known, is_new] = endless_.try_emplace(object.children.identity(), false);
+    if (is_new) {
+      known->second = std::any_of(
+          object.children.begin(), object.children.end(),
+          [&](scene::ObjectId child) { return extent_of(scene_, child).infinite(); });
+    }
+    return !known->second;
   }
 
   std::uint32_t add_leaf(const Object& object, const Context& own) {
@@ -179,11 +220,12 @@ class Flattener {
         if (!own.uv_mapping) surface.part_transform = own.to_world;
       }
       if (surface.texture.texture == none) surface.texture = {default_texture_, {}};
-      if (primitive_infos()[object.type]->lacks_uv && needs_uv(surface)) {
+      if (primitive_infos()[object.type]->lacks_uv && needs_uv(surface, own)) {
         report(object, fmt::format("`uv_mapping` of a `{}`", primitive_infos()[object.type]->name));
       }
       part.leaf = static_cast<std::uint32_t>(flat_.leaves.size());
-      flat_.leaves.push_back({surfaces_.add(surface), own.interior, object.origin});
+      group_->interiors[own.interior].texture = surface.texture.texture;
+      flat_.leaves.push_back({surfaces_.add(surface), own.interior, object.origin, own.importance});
     }
     flat_.parts.push_back(part);
     return add_node({Op::leaf, static_cast<std::uint32_t>(flat_.parts.size() - 1), {}});
@@ -210,7 +252,7 @@ class Flattener {
       const std::uint32_t child = visit(object.children[i], inner);
       if (child == none) continue;
       if (inner.splits) {
-        flat_.entries.push_back({child, entry_interior_});
+        group_->entries.push_back({child, entry_interior_});
       } else {
         node.children.push_back(child);
       }
@@ -222,6 +264,11 @@ class Flattener {
   /// intersection whose surfaces are never seen.
   std::uint32_t clip(const Object& object, const Context& around, std::uint32_t body) {
     if (object.extras->clips.empty()) return body;
+    // The oracle's patches take no notice of clips of their own, only of those around them.
+    if (object.kind == NodeKind::primitive &&
+        primitive_infos()[object.type]->name == "bicubic_patch") {
+      return body;
+    }
     FlatNode node{Op::all, none, {body}};
     Context hidden = behind_the_scenes(object.extras->clip_transform, around);
     hidden.muted = true;
@@ -272,7 +319,7 @@ class Flattener {
     Context own = around;
     own.to_world = object.transform.then(around.to_world);
     own.direct_of = none;
-    return visit(object.children.front(), own);
+    return visit(object.children[0], own);
   }
 
   void add_light(const Object& object, const Context& around) {
@@ -313,24 +360,96 @@ class Flattener {
     lamp_sets_.push_back(std::move(set));
   }
 
+  /// What shared contents inherit: everything that is the same for all placements of them. Textures
+  /// and the interior that come from outside are received, and looked up where they are placed.
+  Context received(const Context& own) const {
+    Context inner = own;
+    inner.to_world = {};
+    inner.texture = {texture_of_placement, {}};
+    if (own.interior_texture.texture != none) inner.interior_texture = inner.texture;
+    inner.interior = 0;
+    inner.gate = none;
+    inner.received_by_uv = own.received_by_uv || by_uv(own.texture.texture) ||
+                           by_uv(own.interior_texture.texture);
+    return inner;
+  }
+
+  void add_placement(const Object& object, const Context& own) {
+    Placement placement;
+    placement.to_outer = own.to_world;
+    placement.group = group_of(object, received(own));
+    placement.gate = own.gate;
+    const FlatGroup& contents = flat_.groups[placement.group];
+    if (contents.entries.empty()) return;
+    Surface surface;
+    surface.texture = own.texture;
+    surface.interior_texture = own.interior_texture;
+    if (surface.texture.texture == none) surface.texture = {default_texture_, {}};
+    placement.surface = surfaces_.add(surface);
+    placement.interior = own.interior;
+    placement.first_interior = static_cast<std::uint32_t>(group_->interiors.size()) - 1;
+    add_interiors(contents, own, surface.texture.texture);
+    group_->entries.push_back(
+        {none, own.interior, static_cast<std::uint32_t>(flat_.placements.size())});
+    flat_.placements.push_back(placement);
+  }
+
+  /// Every placement is matter of its own.
+  void add_interiors(const FlatGroup& contents, const Context& own, scene::TextureId texture) {
+    const auto resolved = [&](InteriorInstance instance) {
+      instance.to_world = instance.to_world.then(own.to_world);
+      if (instance.texture == texture_of_placement) instance.texture = texture;
+      return instance;
+    };
+    const InteriorInstance first = resolved(contents.interiors[0]);
+    InteriorInstance& outer = group_->interiors[own.interior];
+    outer.hollow = first.hollow;
+    if (first.texture != none) outer.texture = first.texture;
+    for (std::size_t i = 1; i < contents.interiors.size(); ++i) {
+      group_->interiors.push_back(resolved(contents.interiors[i]));
+    }
+  }
+
+  /// The contents of the object as they look to all who inherit the same.
+  std::uint32_t group_of(const Object& object, const Context& inner) {
+    std::vector<KnownGroup>& known = known_groups_[object.children.identity()];
+    for (const KnownGroup& k : known) {
+      if (k.inner == inner) return k.group;
+    }
+    FlatGroup group;
+    group.interiors.push_back({none, inner.hollow.value_or(false)});
+    FlatGroup* const outer = std::exchange(group_, &group);
+    const std::uint32_t outer_interior = std::exchange(entry_interior_, 0);
+    ++depth_;
+    const std::uint32_t node = add_csg(object, inner, inner);
+    if (node != none) group.entries.push_back({node, 0});
+    --depth_;
+    entry_interior_ = outer_interior;
+    group_ = outer;
+    const auto index = static_cast<std::uint32_t>(flat_.groups.size());
+    flat_.groups.push_back(std::move(group));
+    known_groups_[object.children.identity()].push_back({inner, index});
+    return index;
+  }
+
   std::uint32_t add_node(FlatNode node) {
     flat_.nodes.push_back(std::move(node));
     return static_cast<std::uint32_t>(flat_.nodes.size() - 1);
   }
 
-  [[nodiscard]] bool needs_uv(const Surface& surface) const {
-    return surface.uv_mapping || by_uv(surface.texture.texture) ||
+  [[nodiscard]] bool needs_uv(const Surface& surface, const Context& own) const {
+    return own.received_by_uv || surface.uv_mapping || by_uv(surface.texture.texture) ||
            by_uv(surface.interior_texture.texture);
   }
 
   // True if anything in a texture lies on the surface rather than in space.
   [[nodiscard]] bool by_uv(scene::TextureId id) const {
-    if (id == none) return false;
+    if (id == none || id == texture_of_placement) return false;
     const scene::Texture& t = scene_.textures[id];
-    return t.uv_mapping ||
+    return t.uv_mapping || scene::uses_uv(*t.pattern) ||
            std::any_of(t.layers.begin(), t.layers.end(),
                        [](const scene::Layer& l) {
-                         return l.pigment->uv_mapping || l.normal->uv_mapping;
+                         return scene::uses_uv(*l.pigment) || scene::uses_uv(*l.normal);
                        }) ||
            std::any_of(t.entries.begin(), t.entries.end(),
                        [&](const scene::TextureEntry& e) { return by_uv(e.texture); });
@@ -355,7 +474,17 @@ class Flattener {
 
   const scene::Scene& scene_;
   Diagnostics& diagnostics_;
+  struct KnownGroup {
+    Context inner;
+    std::uint32_t group = 0;
+  };
+
+  Sharing sharing_;
   Flat flat_;
+  FlatGroup world_;
+  FlatGroup* group_ = &world_;  // to which entries, interiors and lights are added
+  std::uint32_t depth_ = 0;     // of shared contents around
+  std::unordered_map<const void*, std::vector<KnownGroup>> known_groups_;  // by Object::children
   SurfaceTable surfaces_;
   /// Who lights an object: what it inherits from the light groups around it. Set 0: no group.
   struct LampSet {
@@ -366,6 +495,7 @@ class Flattener {
   };
   std::vector<LampSet> lamp_sets_{1};
   std::uint32_t groups_ = 0;
+  std::unordered_map<const void*, bool> endless_;  // by Object::children
   scene::TextureId default_texture_ = none;
   std::uint32_t entry_interior_ = 0;  // of the object that `visit` has just returned
   std::unordered_set<scene::ObjectId> reported_;
@@ -373,13 +503,13 @@ class Flattener {
 
 }  // namespace
 
-Flat flatten(const scene::Scene& scene, Diagnostics& diagnostics) {
-  return Flattener(scene, diagnostics).run();
+Flat flatten(const scene::Scene& scene, Diagnostics& diagnostics, const SharingLimits& limits) {
+  return Flattener(scene, diagnostics, limits).run();
 }
 
 Flat flatten_object(const scene::Scene& scene, scene::ObjectId object, Diagnostics& diagnostics,
                     const Transform& to_world) {
-  return Flattener(scene, diagnostics).run(object, to_world);
+  return Flattener(scene, diagnostics, {}).run(object, to_world);
 }
 
 }  // namespace durer::tracer

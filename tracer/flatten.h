@@ -1,5 +1,6 @@
-// The scene's forest of objects → a list of things in world space, each either one primitive or a
-// tree of solid geometry. Transforms, inversions and whatever children inherit are resolved here.
+// The scene's forest of objects → a list of things in world space, each either one primitive, a
+// tree of solid geometry, or a placement of such a list that is kept once. Transforms, inversions
+// and whatever children inherit are resolved here.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +10,8 @@
 #include "base/diagnostic.h"
 #include "scene/scene.h"
 #include "tracer/geometry.h"
+#include "tracer/placements.h"
+#include "tracer/sharing.h"
 
 namespace durer::tracer {
 
@@ -38,8 +41,16 @@ struct FlatNode {
 
 /// What is tested against the rest of the scene as one thing.
 struct FlatEntry {
-  std::uint32_t node = 0;
-  std::uint32_t interior = 0;  // of the object as a whole
+  std::uint32_t node = scene::none;
+  std::uint32_t interior = 0;                // of the object as a whole
+  std::uint32_t placement = scene::none;     // instead of a node: index into Flat::placements
+};
+
+/// All that stands in one space: in the world, or in contents that are placed many times. These
+/// number their interiors on their own; 0 is the one that they receive from outside.
+struct FlatGroup {
+  std::vector<FlatEntry> entries;
+  std::vector<InteriorInstance> interiors;
 };
 
 /// `bounded_by`: a ray must meet the box and each of these trees, and pass the outer gate.
@@ -50,22 +61,25 @@ struct FlatGate {
 };
 
 struct Flat {
+  FlatGroup world;
+  std::vector<FlatGroup> groups;  // contents that are kept once; those within others come first
+  std::vector<Placement> placements;
+
   std::vector<Leaf> leaves;
   std::vector<Surface> surfaces;
-  std::vector<InteriorInstance> interiors;
   std::vector<scene::Light> lights;
   std::vector<std::vector<std::uint32_t>> lamp_sets;  // see Surface::lamps
   std::vector<Projection> projections;
 
   std::vector<FlatLeaf> parts;
   std::vector<FlatNode> nodes;
-  std::vector<FlatEntry> entries;
   std::vector<FlatGate> gates;
   int noise_generator = 2;  // of functions that are shapes
 };
 
 /// Reports every object that cannot be rendered; the result is then incomplete.
-[[nodiscard]] Flat flatten(const scene::Scene& scene, Diagnostics& diagnostics);
+[[nodiscard]] Flat flatten(const scene::Scene& scene, Diagnostics& diagnostics,
+                           const SharingLimits& limits = {});
 
 /// The same for one object of the scene, as if it stood alone and could be seen by everything.
 [[nodiscard]] Flat flatten_object(const scene::Scene& scene, scene::ObjectId object,

@@ -6,12 +6,15 @@ add_library(durer_geometry STATIC
   geometry.cpp
   geometry_build.cpp
   object_queries.cpp
+  placements.cpp
+  sharing.cpp
   accel/box_tree.cpp
   accel/casters.cpp
   accel/embree.cpp
   accel/linear.cpp
   accel/triangle_build.cpp
   accel/triangle_tree.cpp
+  accel/wide_build.cpp
   csg/build.cpp
   csg/gate.cpp
   csg/solid_targets.cpp
@@ -22,8 +25,9 @@ add_library(durer_geometry STATIC
   primitives/mesh_shape.cpp
   primitives/parametric_shape.cpp
   primitives/blob_field.cpp
+  primitives/blob_line.cpp
   primitives/height_grid.cpp
-  primitives/julia_set.cpp
+  primitives/julia_set.cpp primitives/julia_lanes.cpp
   primitives/mesh_shape.cpp
   primitives/outline.cpp
   primitives/profile.cpp
@@ -33,5 +37,6 @@ add_library(durer_geometry STATIC
   ${primitive_sources})
 add_library(durer::geometry ALIAS durer_geometry)
 # 256-bit vectors are only passed to functions that are inlined: how others would pass them is moot.
-target_compile_options(durer_geometry PRIVATE -Wno-psabi)
+# Nobody asks what errno says about square roots.
+target_compile_options(durer_geometry PRIVATE -Wno-psabi -fno-math-errno)
 target_link_libraries(durer_geometry PUBLIC durer_common durer::scene PRIVATE embree fmt::fmt)

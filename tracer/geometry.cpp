@@ -1,6 +1,7 @@
 #include "tracer/geometry.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <utility>
 
@@ -14,6 +15,7 @@ std::uint8_t mask_of(RayKind kind) {
     case RayKind::image: return seen_by_image;
     case RayKind::reflection: return seen_by_reflection;
     case RayKind::shadow: return casts_shadow;
+    case RayKind::gathering: return seen_by_gathering;
   }
   return 0;
 }
@@ -22,6 +24,24 @@ std::size_t error_count(const Diagnostics& diagnostics) {
   return static_cast<std::size_t>(
       std::count_if(diagnostics.all().begin(), diagnostics.all().end(),
                     [](const Diagnostic& d) { return d.severity == Severity::error; }));
+}
+
+/// Fills in what a hit in shared contents knows of the spaces around them.
+void resolve_path(const std::vector<Placement>& placements, const PlacementPath& inner_first,
+                  Hit& hit) {
+  dvec3 p = hit.p;
+  for (std::uint32_t k = 0; k < hit.depth; ++k) {
+    hit.path[k] = inner_first[hit.depth - 1 - k];
+    p = placements[hit.path[k]].to_outer.backward.point(p);
+    hit.inner[k] = p;
+  }
+  dvec3 n = hit.store->normal(hit.shape, p, hit.part);
+  for (std::uint32_t k = hit.depth; k-- > 0;) {
+    const Placement& placement = placements[hit.path[k]];
+    n = placement.to_outer.backward.covector(n);
+    hit.interior = placement.outer_interior(hit.interior);
+  }
+  hit.n = glm::normalize(n);
 }
 
 }  // namespace
@@ -38,9 +58,9 @@ Geometry& Geometry::operator=(Geometry&&) noexcept = default;
 Geometry::~Geometry() = default;
 
 std::optional<Geometry> Geometry::build(const scene::Scene& scene, Diagnostics& diagnostics,
-                                        Hierarchy hierarchy) {
+                                        Hierarchy hierarchy, const SharingLimits& limits) {
   const std::size_t errors = error_count(diagnostics);
-  Flat flat = flatten(scene, diagnostics);
+  Flat flat = flatten(scene, diagnostics, limits);
   if (error_count(diagnostics) > errors) return std::nullopt;
   return Geometry(std::make_unique<State>(std::move(flat), hierarchy));
 }
@@ -51,7 +71,7 @@ std::optional<Geometry> Geometry::build_object(const scene::Scene& scene, scene:
   const std::size_t errors = error_count(diagnostics);
   Flat flat = flatten_object(scene, object, diagnostics, to_world);
   if (error_count(diagnostics) > errors) return std::nullopt;
-  const bool few = flat.entries.size() < 16;  // then setting up Embree costs more than it saves
+  const bool few = flat.world.entries.size() < 16;  // then setting up Embree costs more than it saves
   return Geometry(
       std::make_unique<State>(std::move(flat), few ? Hierarchy::linear : Hierarchy::embree));
 }
@@ -59,6 +79,7 @@ std::optional<Geometry> Geometry::build_object(const scene::Scene& scene, scene:
 std::span<const Leaf> Geometry::leaves() const { return state_->leaves; }
 std::span<const Surface> Geometry::surfaces() const { return state_->surfaces; }
 std::span<const InteriorInstance> Geometry::interiors() const { return state_->interiors; }
+std::span<const Placement> Geometry::placements() const { return state_->placements; }
 std::span<const scene::Light> Geometry::lights() const { return state_->lights; }
 std::span<const std::vector<std::uint32_t>> Geometry::lamp_sets() const {
   return state_->lamp_sets;
@@ -74,8 +95,8 @@ GeometryScratchPtr Geometry::make_scratch() const {
 
 bool Geometry::closest(const Ray& ray, double t_from, double t_to, RayKind kind, Hit& hit,
                        GeometryScratch& scratch) const {
-  RayQuery query{ray, t_from, t_to, mask_of(kind), {}, &state_->parts, &scratch.sweep, false};
-  state_->accel->closest(query);
+  RayQuery query{ray, t_from, t_to, mask_of(kind), {}, &state_->parts, &scratch.sweep, false, {}};
+  state_->world().accel->closest(query);
   const Found& found = query.found;
   if (found.store == nullptr) return false;
   hit.t = query.t_to;
@@ -84,21 +105,30 @@ bool Geometry::closest(const Ray& ray, double t_from, double t_to, RayKind kind,
   hit.shape = found.shape;
   hit.part = found.part;
   hit.p = ray.at(hit.t);
-  hit.n = found.store->normal(found.shape, hit.p, found.part);
+  hit.interior = state_->leaves[found.leaf].inner_interior;
+  hit.depth = found.depth;
+  if (hit.depth > 0) {
+    resolve_path(state_->placements, query.path, hit);
+  } else {
+    hit.n = found.store->normal(found.shape, hit.p, found.part);
+  }
   if (state_->leaf_inverted[found.leaf] != 0) hit.n = -hit.n;
   return true;
 }
 
-dvec2 Geometry::uv(const Hit& hit) { return hit.store->uv(hit.shape, hit.p, hit.part); }
+dvec2 Geometry::uv(const Hit& hit) {
+  if (!hit.store->has_uv()) return {hit.p.x, hit.p.y};
+  return hit.store->uv(hit.shape, hit.at(hit.depth), hit.part);
+}
 TextureBlend Geometry::part_textures(const Hit& hit) {
-  return hit.store->textures(hit.shape, hit.p, hit.part);
+  return hit.store->textures(hit.shape, hit.at(hit.depth), hit.part);
 }
 
 bool Geometry::occluded(const Ray& ray, double t_from, double t_to,
                         GeometryScratch& scratch) const {
   const double after = t_from * (1 + std::numeric_limits<double>::epsilon());
-  RayQuery query{ray, after, t_to, blocks_light, {}, &state_->parts, &scratch.sweep, true};
-  return state_->accel->any(query);
+  RayQuery query{ray, after, t_to, blocks_light, {}, &state_->parts, &scratch.sweep, true, {}};
+  return state_->world().accel->any(query);
 }
 
 bool Geometry::casters(const Shaft& shaft, std::vector<Caster>& out) const {
@@ -110,7 +140,7 @@ bool Geometry::casters(const Shaft& shaft, std::vector<Caster>& out) const {
 bool Geometry::occluded_by(std::span<Caster> among, const Ray& ray, double t_from, double t_to,
                            GeometryScratch& scratch) const {
   const double after = t_from * (1 + std::numeric_limits<double>::epsilon());
-  RayQuery query{ray, after, t_to, blocks_light, {}, &state_->parts, &scratch.sweep, true};
+  RayQuery query{ray, after, t_to, blocks_light, {}, &state_->parts, &scratch.sweep, true, {}};
   const dvec3 inverse = 1.0 / ray.d;
   for (Caster& c : among) {
     double enter = after;
@@ -126,23 +156,8 @@ bool Geometry::occluded_by(std::span<Caster> among, const Ray& ray, double t_fro
 
 void Geometry::containing(dvec3 p, std::vector<std::uint32_t>& interiors,
                           GeometryScratch& scratch) const {
-  const State& s = *state_;
-  std::vector<std::uint32_t>& found = scratch.bodies;
-  found.clear();
-  const auto test = [&](std::uint32_t i) {
-    if (s.body_contains(s.bodies[i], p, scratch.sweep)) found.push_back(i);
-  };
-  constexpr int few = 4;
-  if (s.questions.load(std::memory_order_relaxed) < few) {
-    s.questions.fetch_add(1, std::memory_order_relaxed);
-    for (std::uint32_t i = 0; i < s.bodies.size(); ++i) test(i);
-  } else {
-    s.index_bodies();
-    for (const std::uint32_t i : s.index.endless) test(i);
-    s.index.boxes.at(p, [&](std::uint32_t box) { test(s.index.body_of_box[box]); });
-  }
-  std::sort(found.begin(), found.end());
-  for (const std::uint32_t i : found) interiors.push_back(s.bodies[i].interior);
+  scratch.bodies.clear();
+  state_->containing(state_->world(), p, interiors, scratch.bodies, scratch.sweep);
 }
 
 }  // namespace durer::tracer

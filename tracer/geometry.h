@@ -3,6 +3,7 @@
 // hierarchy.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -14,19 +15,30 @@
 #include "base/ray.h"
 #include "scene/scene.h"
 #include "tracer/accel/casters.h"
+#include "tracer/query.h"
+#include "tracer/sharing.h"
 
 namespace durer::tracer {
+
+struct Placement;
 
 /// One primitive as placed in the world.
 struct Leaf {
   std::uint32_t surface = 0;   // index into Geometry::surfaces()
-  std::uint32_t interior = 0;  // index into Geometry::interiors(): the *instance*, compared by id
+  /// The interior *instance*, as its space numbers them: Hit::interior is what to compare.
+  std::uint32_t inner_interior = 0;
   scene::OriginId origin = 0;
+  float importance = 1;  // to rays that gather indirect light, 0…1
 };
+
+/// What shared contents receive from outside: see Placement::surface.
+inline constexpr scene::TextureId texture_of_placement = scene::none - 1;
 
 /// What a leaf looks like. Transforms are resolved: texture space → world.
 struct Surface {
-  scene::TextureUse texture;           // never none: inheritance and defaults are resolved
+  /// Never none: inheritance and defaults are resolved. Of shared contents this may be
+  /// `texture_of_placement`, and others lie in the space of the contents.
+  scene::TextureUse texture;
   scene::TextureUse interior_texture;  // none: same as `texture`
   bool double_illuminate = false;
   bool uv_mapping = false;  // textures are looked up at (u, v, 0), and have no place of their own
@@ -47,17 +59,27 @@ struct Projection {
 struct InteriorInstance {
   scene::InteriorId interior = scene::none;  // none: ior 1, no fading
   bool hollow = false;
+  SharedTransform to_world = {};  // from the space of its media
+  scene::TextureId texture = scene::none;  // of the last leaf around it; none: there is no leaf
 };
 
 struct Hit {
   double t = no_hit_depth;  // along the ray, world units
   std::uint32_t leaf = 0;
-  dvec3 p{0.0};            // world point
+  std::uint32_t interior = 0;  // index into Geometry::interiors()
+  dvec3 p{0.0};                // world point
   dvec3 n{0.0, 1.0, 0.0};  // world unit normal, outward; negated for inverted and subtracted leaves
   // What of the scene was hit, for those who want to know more of that place.
   const Store* store = nullptr;
   std::uint32_t shape = 0;
   std::uint32_t part = 0;
+  /// The way down to what was hit, outermost placement first, and the point in their spaces.
+  std::uint32_t depth = 0;
+  std::array<std::uint32_t, max_placement_depth> path;
+  std::array<dvec3, max_placement_depth> inner;
+
+  /// The point in the space of the outermost `levels` placements.
+  [[nodiscard]] dvec3 at(std::uint32_t levels) const { return levels == 0 ? p : inner[levels - 1]; }
 };
 
 /// What a ray may see (shading §5.5).
@@ -65,6 +87,7 @@ enum class RayKind : std::uint8_t {
   image,       // camera rays and what they see by transmission
   reflection,  // rays that were reflected at least once
   shadow,
+  gathering,  // rays that gather indirect light, and all that follow from them
 };
 
 /// Buffers of one thread; geometry queries allocate nothing once these have grown.
@@ -87,7 +110,8 @@ class Geometry {
   /// and §9.3), fills the stores and builds the hierarchies. Reports what cannot be rendered.
   [[nodiscard]] static std::optional<Geometry> build(const scene::Scene& scene,
                                                      Diagnostics& diagnostics,
-                                                     Hierarchy hierarchy = Hierarchy::embree);
+                                                     Hierarchy hierarchy = Hierarchy::embree,
+                                                     const SharingLimits& limits = {});
 
   /// One object of the scene alone, visible to every kind of ray.
   [[nodiscard]] static std::optional<Geometry> build_object(const scene::Scene& scene,
@@ -98,6 +122,7 @@ class Geometry {
   [[nodiscard]] std::span<const Leaf> leaves() const;
   [[nodiscard]] std::span<const Surface> surfaces() const;
   [[nodiscard]] std::span<const InteriorInstance> interiors() const;
+  [[nodiscard]] std::span<const Placement> placements() const;
   /// Lights of the scene and of its objects, in world space, in order of declaration.
   [[nodiscard]] std::span<const scene::Light> lights() const;
   /// Who lights surfaces: lists of indices into lights(), the scene's own before those of light

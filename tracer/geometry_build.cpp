@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 
 #include "tracer/csg/build.h"
@@ -8,26 +9,80 @@
 
 namespace durer::tracer {
 
-Geometry::State::State(Flat flat, Hierarchy hierarchy) {
-  for (const PrimitiveType* type : primitive_types()) {
-    lone.push_back(type->make_stores());
-    operands.push_back(type->make_stores());
+Group::Group(const Parts& parts, const std::vector<Placement>& all,
+             const std::vector<PlacementTargets::Contents>& contents)
+    : solids(std::make_unique<SolidTargets>(parts)),
+      placements(std::make_unique<PlacementTargets>(all, contents)) {
+  for (const PrimitiveType* type : primitive_types()) lone.push_back(type->make_stores());
+}
+
+std::vector<const Targets*> Group::targets() const {
+  std::vector<const Targets*> all;
+  for (const TypeStores& s : lone) {
+    all.push_back(s.baked.get());
+    all.push_back(s.placed.get());
   }
-  solids = std::make_unique<SolidTargets>(parts);
+  all.push_back(solids.get());
+  all.push_back(placements.get());
+  return all;
+}
+
+Geometry::State::State(Flat flat, Hierarchy hierarchy) {
+  for (const PrimitiveType* type : primitive_types()) operands.push_back(type->make_stores());
   around.noise_generator = flat.noise_generator;
   leaf_inverted.assign(flat.leaves.size(), 0);
   parts.gate_of_leaf.assign(flat.leaves.size(), scene::none);
   add_gates(flat);
-  for (const FlatEntry& entry : flat.entries) add_entry(flat, entry);
-  solids->update_masks();
+  placements = std::move(flat.placements);
+  contents.reserve(flat.groups.size() + 1);
+  for (const FlatGroup& group : flat.groups) add_group(flat, group);
+  add_group(flat, flat.world);
   leaves = std::move(flat.leaves);
   surfaces = std::move(flat.surfaces);
-  interiors = std::move(flat.interiors);
+  interiors = std::move(flat.world.interiors);
   lights = std::move(flat.lights);
   lamp_sets = std::move(flat.lamp_sets);
   projections = std::move(flat.projections);
-  flat = {};  // makes room for the hierarchy
-  build_accel(hierarchy);
+  flat = {};  // makes room for the hierarchies
+  for (std::size_t i = 0; i < groups.size(); ++i) finish_group(*groups[i], contents[i], hierarchy);
+  update_masks();
+}
+
+void Geometry::State::add_group(const Flat& flat, const FlatGroup& from) {
+  Group& group = *groups.emplace_back(std::make_unique<Group>(parts, placements, contents));
+  contents.emplace_back();
+  for (const FlatEntry& entry : from.entries) add_entry(group, flat, entry);
+}
+
+void Geometry::State::finish_group(Group& group, PlacementTargets::Contents& result,
+                                   Hierarchy hierarchy) {
+  constexpr std::uint32_t few = 16;  // then setting up Embree costs more than it saves
+  std::vector<const Targets*> all;
+  std::uint32_t count = 0;
+  for (const Targets* targets : group.targets()) {
+    if (targets->size() == 0) continue;
+    all.push_back(targets);
+    count += targets->size();
+    for (std::uint32_t i = 0; i < targets->size(); ++i) {
+      result.surface.add(targets->surface_bounds(i));
+    }
+  }
+  for (const Body& body : group.bodies) group.inside.add(inside_bounds(body));
+  const bool is_world = &group == groups.back().get();
+  const bool linear = hierarchy == Hierarchy::linear || (!is_world && count < few);
+  group.accel = linear ? make_linear_accel(all) : make_embree_accel(all);
+  result.accel = group.accel.get();
+}
+
+void Geometry::State::update_masks() {
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    groups[i]->solids->update_masks();
+    groups[i]->placements->update_masks();
+    contents[i].mask = 0;
+    for (const Targets* targets : groups[i]->targets()) {
+      for (const Tag& tag : targets->tags) contents[i].mask |= tag.mask;
+    }
+  }
 }
 
 void Geometry::State::add_gates(const Flat& flat) {
@@ -41,17 +96,25 @@ void Geometry::State::add_gates(const Flat& flat) {
   }
 }
 
-void Geometry::State::add_entry(const Flat& flat, const FlatEntry& entry) {
+void Geometry::State::add_entry(Group& group, const Flat& flat, const FlatEntry& entry) {
+  if (entry.placement != scene::none) {
+    group.placements->add(entry.placement, placements[entry.placement].gate != scene::none);
+    group.bodies.push_back(
+        {Body::Kind::placement, false, entry.placement, entry.interior, nullptr});
+    return;
+  }
   const FlatNode& node = flat.nodes[entry.node];
   if (node.op == Op::leaf) {
-    const auto ref = place(lone, flat.parts[node.part]);
-    if (ref) bodies.push_back({ref->store, ref->shape, entry.interior, ref->inverted});
+    const auto ref = place(group.lone, flat.parts[node.part]);
+    if (!ref) return;
+    group.bodies.push_back(
+        {Body::Kind::primitive, ref->inverted, ref->shape, entry.interior, ref->store});
     return;
   }
   const std::uint32_t solid = add_solid(
       parts, flat, entry.node, [this](const FlatLeaf& part) { return place(operands, part); });
-  solids->add(solid);
-  bodies.push_back({nullptr, solid, entry.interior, false});
+  group.solids->add(solid);
+  group.bodies.push_back({Body::Kind::solid, false, solid, entry.interior, nullptr});
 }
 
 std::optional<ShapeRef> Geometry::State::place(std::vector<TypeStores>& stores,
@@ -72,40 +135,34 @@ std::optional<ShapeRef> Geometry::State::place(std::vector<TypeStores>& stores,
   return ref;
 }
 
-void Geometry::State::index_bodies() const {
-  std::call_once(index_made, [this] {
+Bounds3 Geometry::State::inside_bounds(const Body& body) const {
+  if (body.inverted) return Bounds3::everything();
+  switch (body.kind) {
+    case Body::Kind::primitive: return body.store->inside_bounds(body.index);
+    case Body::Kind::solid: return parts.solids[body.index].inside;
+    case Body::Kind::placement: break;
+  }
+  const Placement& placement = placements[body.index];
+  return groups[placement.group]->inside.transformed(placement.to_outer.forward);
+}
+
+void Geometry::State::index_bodies(const Group& group) const {
+  std::call_once(group.index_made, [this, &group] {
     std::vector<Bounds3> boxes;
-    for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-      const Body& body = bodies[i];
-      const Bounds3 b = body.store != nullptr ? body.store->inside_bounds(body.index)
-                                              : parts.solids[body.index].inside;
-      if (body.inverted || b.infinite()) {
-        index.endless.push_back(i);
+    for (std::uint32_t i = 0; i < group.bodies.size(); ++i) {
+      const Bounds3 b = inside_bounds(group.bodies[i]);
+      if (b.infinite()) {
+        group.index.endless.push_back(i);
       } else {
-        index.body_of_box.push_back(i);
+        group.index.body_of_box.push_back(i);
         boxes.push_back(b);
       }
     }
-    index.boxes = BoxTree(boxes);
+    group.index.boxes = BoxTree(boxes);
   });
 }
 
-std::vector<const Targets*> Geometry::State::all_targets() const {
-  std::vector<const Targets*> all;
-  for (const TypeStores& s : lone) {
-    all.push_back(s.baked.get());
-    all.push_back(s.placed.get());
-  }
-  all.push_back(solids.get());
-  return all;
-}
-
-void Geometry::State::index_casters() const { casters = CasterIndex(all_targets()); }
-
-void Geometry::State::build_accel(Hierarchy hierarchy) {
-  const std::vector<const Targets*> all = all_targets();
-  accel = hierarchy == Hierarchy::linear ? make_linear_accel(all) : make_embree_accel(all);
-}
+void Geometry::State::index_casters() const { casters = CasterIndex(world().targets()); }
 
 void Geometry::State::set_opaque(const std::vector<bool>& by_surface) {
   translucent_shadows = false;
@@ -120,13 +177,8 @@ void Geometry::State::set_opaque(const std::vector<bool>& by_surface) {
       }
     }
   };
-  for (const std::vector<TypeStores>* stores : {&lone, &operands}) {
-    for (const TypeStores& s : *stores) {
-      update(*s.baked);
-      update(*s.placed);
-    }
-  }
-  solids->update_masks();
+  each_store(update);
+  update_masks();
 }
 
 std::vector<Geometry::Doubt> Geometry::doubts() const {
@@ -140,20 +192,55 @@ std::vector<Geometry::Doubt> Geometry::doubts() const {
       found.try_emplace(origin, Doubt{origin, std::move(message), std::move(remedy)});
     }
   };
-  for (const auto* stores : {&state_->lone, &state_->operands}) {
-    for (const TypeStores& s : *stores) {
-      ask(*s.baked);
-      ask(*s.placed);
-    }
-  }
+  state_->each_store(ask);
   std::vector<Doubt> all;
   for (auto& [origin, doubt] : found) all.push_back(std::move(doubt));
   return all;
 }
 
-bool Geometry::State::body_contains(const Body& body, dvec3 p, SweepState& sweep) const {
-  if (body.store == nullptr) return solid_contains(parts.solids[body.index], p, sweep);
-  return body.store->contains(body.index, p) != body.inverted;
+bool Geometry::State::contains(const Body& body, dvec3 p, SweepState& sweep) const {
+  switch (body.kind) {
+    case Body::Kind::primitive: return body.store->contains(body.index, p) != body.inverted;
+    case Body::Kind::solid: return solid_contains(parts.solids[body.index], p, sweep);
+    case Body::Kind::placement: break;  // its contents will be asked
+  }
+  return inside_bounds(body).contains(p);
+}
+
+// `found` is a stack: contents that are asked here find their bodies behind ours.
+void Geometry::State::containing(const Group& group, dvec3 p,
+                                 std::vector<std::uint32_t>& out,
+                                 std::vector<std::uint32_t>& found, SweepState& sweep) const {
+  const std::size_t first = found.size();
+  const auto test = [&](std::uint32_t i) {
+    if (contains(group.bodies[i], p, sweep)) found.push_back(i);
+  };
+  constexpr int few = 4;
+  if (group.questions.load(std::memory_order_relaxed) < few) {
+    group.questions.fetch_add(1, std::memory_order_relaxed);
+    for (std::uint32_t i = 0; i < group.bodies.size(); ++i) test(i);
+  } else {
+    index_bodies(group);
+    for (const std::uint32_t i : group.index.endless) test(i);
+    group.index.boxes.at(p, [&](std::uint32_t box) { test(group.index.body_of_box[box]); });
+  }
+  const std::size_t end = found.size();
+  std::sort(found.begin() + static_cast<std::ptrdiff_t>(first), found.end());
+  for (std::size_t k = first; k < end; ++k) {
+    const Body& body = group.bodies[found[k]];
+    if (body.kind != Body::Kind::placement) {
+      out.push_back(body.interior);
+      continue;
+    }
+    const Placement& placement = placements[body.index];
+    const std::size_t known = out.size();
+    containing(*groups[placement.group], placement.to_outer.backward.point(p), out, found,
+               sweep);
+    for (std::size_t i = known; i < out.size(); ++i) {
+      out[i] = placement.outer_interior(out[i]);
+    }
+  }
+  found.resize(first);
 }
 
 }  // namespace durer::tracer

@@ -12,16 +12,45 @@
 #include "tracer/csg/solid_targets.h"
 #include "tracer/flatten.h"
 #include "tracer/geometry.h"
+#include "tracer/placements.h"
 #include "tracer/primitives/describe.h"
 
 namespace durer::tracer {
 
-/// An object of the scene as `containing` needs it: a lone primitive, or a solid.
+/// An object as `containing` needs it.
 struct Body {
-  const Store* store = nullptr;  // null: a solid
-  std::uint32_t index = 0;       // shape, or index into Parts::solids
-  std::uint32_t interior = 0;
+  enum class Kind : std::uint8_t { primitive, solid, placement };
+  Kind kind = Kind::primitive;
   bool inverted = false;
+  std::uint32_t index = 0;  // shape, index into Parts::solids, or number of the placement
+  std::uint32_t interior = 0;
+  const Store* store = nullptr;  // of a primitive
+};
+
+/// All that stands in one space: in the world, or in contents that are placed many times.
+struct Group {
+  std::vector<TypeStores> lone;  // per primitive type: those that stand alone
+  std::unique_ptr<SolidTargets> solids;
+  std::unique_ptr<PlacementTargets> placements;
+  std::unique_ptr<Accel> accel;
+
+  std::vector<Body> bodies;  // in order of declaration
+  Bounds3 inside;            // no point is inside of any of them outside of this
+  /// Where bodies are, for those who ask often: most scenes ask once, where their camera is, and
+  /// are better off without. Made on demand by index_bodies().
+  struct Index {
+    BoxTree boxes;  // of the bodies that are finite …
+    std::vector<std::uint32_t> body_of_box;
+    std::vector<std::uint32_t> endless;  // … and the others
+  };
+  mutable std::atomic<int> questions{0};
+  mutable std::once_flag index_made;
+  mutable Index index;
+
+  Group(const Parts& parts, const std::vector<Placement>& all,
+        const std::vector<PlacementTargets::Contents>& contents);
+  /// Everything that the hierarchy holds.
+  [[nodiscard]] std::vector<const Targets*> targets() const;
 };
 
 struct Geometry::State {
@@ -33,40 +62,45 @@ struct Geometry::State {
   std::vector<std::vector<std::uint32_t>> lamp_sets;
   std::vector<Projection> projections;
 
-  std::vector<TypeStores> lone;      // per primitive type: those that stand alone …
-  std::vector<TypeStores> operands;  // … and those inside solids, clips and bounds
+  std::vector<TypeStores> operands;  // per primitive type: those inside solids, clips and bounds
   Surroundings around;
   Parts parts;
-  std::unique_ptr<SolidTargets> solids;
-  std::unique_ptr<Accel> accel;
-
-  std::vector<Body> bodies;  // in order of declaration
-  /// Where bodies are, for those who ask often: most scenes ask once, where their camera is, and
-  /// are better off without. Made on demand by index_bodies().
-  struct Index {
-    BoxTree boxes;  // of the bodies that are finite …
-    std::vector<std::uint32_t> body_of_box;
-    std::vector<std::uint32_t> endless;  // … and the others
-  };
-  mutable std::atomic<int> questions{0};
-  mutable std::once_flag index_made;
-  mutable Index index;
+  std::vector<Placement> placements;
+  std::vector<std::unique_ptr<Group>> groups;  // those within others come first; the last: the world
+  std::vector<PlacementTargets::Contents> contents;  // of the groups
   mutable std::once_flag casters_found;
-  mutable CasterIndex casters;  // made when somebody asks for it
+  mutable CasterIndex casters;  // of the world; made when somebody asks for it
   bool translucent_shadows = true;
 
   State(Flat flat, Hierarchy hierarchy);
-  [[nodiscard]] bool body_contains(const Body& body, dvec3 p, SweepState& sweep) const;
-  /// Thread-safe; does nothing the second time.
-  void index_bodies() const;
+  [[nodiscard]] const Group& world() const { return *groups.back(); }
+  /// Appends the interiors of all bodies of the group that contain `p`, in the group's numbering.
+  void containing(const Group& group, dvec3 p, std::vector<std::uint32_t>& out,
+                  std::vector<std::uint32_t>& found, SweepState& sweep) const;
   void index_casters() const;
   void set_opaque(const std::vector<bool>& by_surface);
+  template <typename F>
+  void each_store(F&& f) const {
+    const auto each = [&f](const std::vector<TypeStores>& all) {
+      for (const TypeStores& s : all) {
+        f(*s.baked);
+        f(*s.placed);
+      }
+    };
+    for (const auto& group : groups) each(group->lone);
+    each(operands);
+  }
 
  private:
-  [[nodiscard]] std::vector<const Targets*> all_targets() const;
-  void build_accel(Hierarchy hierarchy);
+  [[nodiscard]] bool contains(const Body& body, dvec3 p, SweepState& sweep) const;
+  [[nodiscard]] Bounds3 inside_bounds(const Body& body) const;
+  /// Thread-safe; does nothing the second time.
+  void index_bodies(const Group& group) const;
+  void add_group(const Flat& flat, const FlatGroup& from);
+  void finish_group(Group& group, PlacementTargets::Contents& result, Hierarchy hierarchy);
+  void update_masks();
   void add_gates(const Flat& flat);
-  void add_entry(const Flat& flat, const FlatEntry& entry);
+  void add_entry(Group& group, const Flat& flat, const FlatEntry& entry);
   std::optional<ShapeRef> place(std::vector<TypeStores>& stores, const FlatLeaf& part);
 };
 

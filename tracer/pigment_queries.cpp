@@ -1,5 +1,8 @@
 #include "tracer/pigment_queries.h"
 
+#include <fmt/format.h>
+
+#include "tracer/patterns/inner_object.h"
 #include "tracer/shading/pigment.h"
 
 namespace durer::tracer {
@@ -39,6 +42,10 @@ void colour_at(const void* self, const functions::Context&, const double* p, dou
   out[4] = colour.transmit;
 }
 
+void inside_at(const void* self, const functions::Context&, const double* p, double* out) {
+  *out = static_cast<const InnerObject*>(self)->contains({p[0], p[1], p[2]}) ? 1 : 0;
+}
+
 class Queries final : public scene::PigmentQueries {
  public:
   functions::External pattern_function(const scene::Scene& scene,
@@ -48,6 +55,14 @@ class Queries final : public scene::PigmentQueries {
   functions::External pigment_function(const scene::Scene& scene,
                                        const scene::Pigment& pigment) override {
     return make(scene, pigment, "pigment", functions::max_components, &colour_at);
+  }
+  functions::External inside_function(const scene::Scene& scene, scene::ObjectId object) override {
+    functions::External e;
+    e.name = fmt::format("inside object {}", object);
+    e.components = 1;
+    e.self = std::make_shared<InnerObject>(scene, object);
+    e.point = &inside_at;
+    return e;
   }
 };
 

@@ -13,7 +13,8 @@ struct Quality {
         transparency(level >= 6),
         reflection(level >= 8),
         normals(level >= 8),
-        atmosphere(level >= 9) {}
+        atmosphere(level >= 9),
+        radiosity(level >= 9) {}
 
   bool lights;         // without them a surface shows its innermost visible pigment
   bool shadows;
@@ -23,6 +24,7 @@ struct Quality {
   bool reflection;
   bool normals;
   bool atmosphere;  // fog, rainbows, media
+  bool radiosity;
 };
 
 }  // namespace durer::tracer

@@ -1,12 +1,19 @@
 // One question to the hierarchy, as it travels from object to object.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "base/ray.h"
 #include "tracer/primitives/store.h"
 
 namespace durer::tracer {
+
+/// How deep contents that are kept once may be nested; what is deeper is copied.
+inline constexpr std::uint32_t max_placement_depth = 4;
+
+/// The way down to what was hit, innermost placement first.
+using PlacementPath = std::array<std::uint32_t, max_placement_depth>;
 
 struct Parts;       // shapes and programs of the scene, see csg/
 struct SweepState;  // buffers of one thread, see csg/
@@ -17,6 +24,7 @@ struct Found {
   std::uint32_t shape = 0;
   std::uint32_t leaf = 0;
   std::uint32_t part = 0;
+  std::uint32_t depth = 0;  // entries of the query's path
 };
 
 /// Looks for t_from <= t < t_to; t_to shrinks to the nearest hit. World space, double: the
@@ -30,9 +38,11 @@ struct RayQuery {
   const Parts* parts = nullptr;
   SweepState* sweep = nullptr;
   bool any = false;  // one hit is as good as any other
+  PlacementPath path{};  // valid as far as `found` says
 };
 
-/// True if the bounds of a gated leaf let the ray through (csg/gate.cpp).
-[[nodiscard]] bool gates_open(std::uint32_t leaf, RayQuery& query);
+/// True if these bounds (Parts::gates), or those of a gated leaf, let the ray through (csg/gate.cpp).
+[[nodiscard]] bool gate_open(std::uint32_t gate, const RayQuery& query);
+[[nodiscard]] bool gates_open(std::uint32_t leaf, const RayQuery& query);
 
 }  // namespace durer::tracer

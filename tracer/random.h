@@ -11,4 +11,12 @@ namespace durer::tracer {
   return static_cast<float>(state / 4294967295.0);
 }
 
+/// A random number, 0 included, 1 excluded; all bits of it are good.
+[[nodiscard]] inline double next_random(std::uint32_t& state) {
+  // O'Neill, "PCG", 2014: RXS-M-XS 32.
+  state = state * 747796405U + 2891336453U;
+  const std::uint32_t x = ((state >> ((state >> 28) + 4)) ^ state) * 277803737U;
+  return ((x >> 22) ^ x) / 4294967296.0;
+}
+
 }  // namespace durer::tracer

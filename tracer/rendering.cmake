@@ -7,14 +7,14 @@ durer_entries(warp_sources warps/warps.def warps)
 durer_library(tracer
   SOURCES
     compile.cpp pigment_queries.cpp unsupported.cpp
-    patterns/patterns.cpp patterns/program.cpp ${pattern_sources}
+    patterns/image_sampler.cpp patterns/inner_object.cpp patterns/penrose.cpp patterns/tilings.cpp patterns/patterns.cpp patterns/program.cpp ${pattern_sources}
     warps/warps.cpp ${warp_sources}
-    shading/finish.cpp shading/fog.cpp shading/rainbow.cpp shading/interior.cpp shading/normal.cpp shading/pigment.cpp shading/sky.cpp shading/spectrum.cpp
+    shading/finish.cpp shading/fog.cpp shading/rainbow.cpp shading/interior.cpp shading/media.cpp shading/normal.cpp shading/pigment.cpp shading/sky.cpp shading/spectrum.cpp
     shading/texture.cpp
     cameras/camera.cpp ${camera_sources}
     lights/area.cpp lights/light.cpp
-    transport/atmosphere.cpp transport/light.cpp transport/shadow.cpp transport/surface.cpp transport/texture_parts.cpp transport/trace.cpp
-    film/antialias.cpp film/jitter.cpp film/eye.cpp film/lens.cpp film/lens_points.cpp film/progress.cpp film/render.cpp
+    transport/atmosphere.cpp transport/irradiance_cache.cpp transport/light.cpp transport/media.cpp transport/media_lights.cpp transport/radiosity.cpp transport/shadow.cpp transport/surface.cpp transport/texture_parts.cpp transport/trace.cpp
+    film/antialias.cpp film/jitter.cpp film/eye.cpp film/lens.cpp film/lens_points.cpp film/pretrace.cpp film/progress.cpp film/render.cpp
   LINKS durer::geometry durer::scene durer::functions
   PRIVATE_LINKS TBB::tbb fmt::fmt)
 if(TARGET durer::image)

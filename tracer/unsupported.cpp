@@ -41,12 +41,18 @@ void UnsupportedReport::check_texture(scene::TextureId id, std::uint32_t depth) 
 void UnsupportedReport::check_interior(scene::InteriorId id) {
   if (!mark(interiors_seen_, id)) return;
   report(scene_->interiors[id].unsupported, scene_->interiors[id].origin);
+  check_media(*scene_->interiors[id].media);
+}
+
+void UnsupportedReport::check_media(std::span<const scene::Media> media) {
+  for (const scene::Media& m : media) {
+    for (const scene::Pigment& d : m.densities) check_pigment(d);
+  }
 }
 
 void UnsupportedReport::check_pigment(const scene::Pigment& pigment) {
   report(pigment.unsupported, pigment.origin);
   for (const scene::Pigment& child : pigment.children) {
-    if (child.uv_mapping) report("`uv_mapping` inside of another pattern", child.origin);
     check_pigment(child);
   }
 }
@@ -54,14 +60,14 @@ void UnsupportedReport::check_pigment(const scene::Pigment& pigment) {
 void UnsupportedReport::check_normal(const scene::Normal& normal) {
   report(normal.unsupported, normal.origin);
   for (const scene::Normal& child : normal.children) {
-    if (child.uv_mapping) report("`uv_mapping` inside of another pattern", child.origin);
     check_normal(child);
   }
 }
 
 void UnsupportedReport::check_sky_pigment(const scene::Pigment& pigment) {
   if (pigment.uv_mapping) report("`uv_mapping` in a sky", pigment.origin);
-  check_pigment(pigment);
+  report(pigment.unsupported, pigment.origin);
+  for (const scene::Pigment& child : pigment.children) check_sky_pigment(child);
 }
 
 void UnsupportedReport::check_finish(const scene::Finish& finish, scene::OriginId origin) {

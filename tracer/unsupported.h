@@ -15,6 +15,7 @@ class UnsupportedReport {
   /// Everything reachable from a texture or interior that is in use.
   void check_texture(scene::TextureId texture, std::uint32_t depth = 0);
   void check_interior(scene::InteriorId interior);
+  void check_media(std::span<const scene::Media> media);
 
   void check_pigment(const scene::Pigment& pigment);
   void check_sky_pigment(const scene::Pigment& pigment);

@@ -41,32 +41,69 @@ constexpr double binomial(std::size_t n, std::size_t k) {
   return b;
 }
 
-/// The root of a polynomial whose signs at 0 and 1 differ, and which has no other: Newton steps,
+struct ValueAndSlopes {
+  double value;
+  double slope;
+  double bend;  // the slope of the slope
+};
+
+template <std::size_t N>
+[[nodiscard]] ValueAndSlopes value_and_slopes(Bernstein<N> b, double x) {
+  for (std::size_t left = N; left > 2; --left) {
+    for (std::size_t i = 0; i < left; ++i) b[i] += (b[i + 1] - b[i]) * x;
+  }
+  const double first = b[1] - b[0];
+  const double second = b[2] - b[1];
+  const double bend = second - first;
+  const double rise = first + bend * x;
+  constexpr auto n = static_cast<double>(N);
+  return {(b[0] + first * x) + rise * x, n * rise, n * (n - 1) * bend};
+}
+
+/// The only root of a quadratic; nothing cancels, whichever coefficient is small.
+inline double only_root(double b0, double b1, double b2) {
+  const double root = std::sqrt(b1 * b1 - b0 * b2);
+  const bool negative_at_0 = b0 < 0;
+  if ((b1 < 0) != negative_at_0 && b1 != 0) {
+    const double whole = b0 - b1 + (negative_at_0 ? -root : root);
+    return whole == 0 ? 0 : b0 / whole;
+  }
+  const double part = b1 + (negative_at_0 ? -root : root);
+  return part == 0 && b2 == 0 ? 1 : part / (part - b2);
+}
+
+/// The root of a polynomial whose signs at 0 and 1 differ, and which has no other: Halley's steps,
 /// halving where they would leave the bracket.
 template <std::size_t N>
 double only_root(const Bernstein<N>& b) {
-  double lo = 0;
-  double hi = 1;
-  const bool negative_at_0 = b[0] < 0;
-  double x = b[0] / (b[0] - b[N]);
-  if constexpr (N == 1) return x;
-  if (b[0] == 0) x = 0.5;  // it touches zero where it begins; where it changes sign is to be found
-  for (int i = 0; i < 60; ++i) {  // Newton needs some 4
-    const ValueAndSlope at = value_and_slope<N>(b, x);
-    if (at.value == 0) return x;
-    ((at.value < 0) == negative_at_0 ? lo : hi) = x;
-    const double next = x - at.value / at.slope;
-    if (next >= lo && next <= hi) {
-      // The error is about the square of the step: one so small was the last that mattered.
-      const double step = std::abs(next - x);
-      x = next;
-      if (step <= 1e-10) break;
-    } else {
-      x = 0.5 * (lo + hi);
-      if (hi - lo <= 1e-16) break;
+  if constexpr (N == 1) {
+    return b[0] / (b[0] - b[1]);
+  } else if constexpr (N == 2) {
+    return only_root(b[0], b[1], b[2]);
+  } else {
+    double lo = 0;
+    double hi = 1;
+    const bool negative_at_0 = b[0] < 0;
+    double x = b[0] / (b[0] - b[N]);
+    if (b[0] == 0) x = 0.5;  // it touches zero where it begins; where it changes sign is to be found
+    for (int i = 0; i < 60; ++i) {  // Halley needs some 3
+      const ValueAndSlopes at = value_and_slopes<N>(b, x);
+      if (at.value == 0) return x;
+      ((at.value < 0) == negative_at_0 ? lo : hi) = x;
+      const double next =
+          x - 2 * at.value * at.slope / (2 * at.slope * at.slope - at.value * at.bend);
+      if (next >= lo && next <= hi) {
+        // The error is about the cube of the step: one so small was the last that mattered.
+        const double step = std::abs(next - x);
+        x = next;
+        if (step <= 1e-6) break;
+      } else {
+        x = 0.5 * (lo + hi);
+        if (hi - lo <= 1e-16) break;
+      }
     }
+    return x;
   }
-  return x;
 }
 
 template <std::size_t N>
@@ -74,6 +111,17 @@ std::size_t variations(const Bernstein<N>& b) {
   std::size_t n = 0;
   for (std::size_t i = 0; i < N; ++i) n += (b[i] < 0) != (b[i + 1] < 0) ? 1 : 0;
   return n;
+}
+
+/// The part of b over [0, ½]; leaves that over [½, 1] in b.
+template <std::size_t N>
+Bernstein<N> split(Bernstein<N>& b) {
+  Bernstein<N> left{};
+  for (std::size_t k = 0; k <= N; ++k) {
+    left[k] = b[0];
+    for (std::size_t i = 0; i + k < N; ++i) b[i] = 0.5 * (b[i] + b[i + 1]);
+  }
+  return left;
 }
 
 template <std::size_t N>
@@ -89,19 +137,21 @@ void add_sign_changes(const Bernstein<N>& b, double lo, double size, Roots<N>& o
     if ((b[0] < 0) != (b[N] < 0) && out.count < N) out.add(lo + 0.5 * size);
     return;
   }
-  Bernstein<N> left{};
   Bernstein<N> right = b;
-  for (std::size_t k = 0; k <= N; ++k) {
-    left[k] = right[0];
-    for (std::size_t i = 0; i + k < N; ++i) right[i] = 0.5 * (right[i] + right[i + 1]);
-  }
+  const Bernstein<N> left = split<N>(right);
   add_sign_changes<N>(left, lo, 0.5 * size, out);
   add_sign_changes<N>(right, lo + 0.5 * size, 0.5 * size, out);
 }
 
-}  // namespace detail
+template <std::size_t N>
+bool has_sign_change(const Bernstein<N>& b, double size) {
+  if ((b[0] < 0) != (b[N] < 0)) return true;
+  if (variations<N>(b) == 0 || size < 1e-12) return false;
+  Bernstein<N> right = b;
+  const Bernstein<N> left = split<N>(right);
+  return has_sign_change<N>(left, 0.5 * size) || has_sign_change<N>(right, 0.5 * size);
+}
 
-namespace detail {
 /// By what the product of coefficients i and j counts.
 template <std::size_t N, std::size_t M>
 inline constexpr auto product_weights = [] {
@@ -154,6 +204,12 @@ template <std::size_t N>
   Roots<N> out;
   detail::add_sign_changes<N>(b, 0, 1, out);
   return out;
+}
+
+/// True if there is any such place.
+template <std::size_t N>
+[[nodiscard]] bool has_sign_change(const Bernstein<N>& b) {
+  return detail::has_sign_change<N>(b, 1);
 }
 
 /// The coefficients over [lo, hi] of the polynomial with coefficients b over [0, 1].

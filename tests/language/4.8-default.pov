@@ -33,7 +33,7 @@ union { sphere { 0, 1 } #default { pigment { rgb x } } sphere { x, 1 } }
 
 //= the importance of radiosity is at most 1
 #default { radiosity { importance 2 } }
-// error: D0220 at 1:12
+// error: D0302 at 1:24
 
 //= a patterned default texture
 #default { texture { checker texture { pigment { rgb 1 } } texture { pigment { rgb 0 } } } }
@@ -46,7 +46,6 @@ union { sphere { 0, 1 } #default { pigment { rgb x } } sphere { x, 1 } }
 //= the importance of radiosity as a default
 #default { radiosity { importance 0.5 } } #debug concat("fine", "\n")
 // expect: fine
-// later: radiosity in #default
 
 //= a layered default texture
 #declare T = texture { pigment { rgb 1 } } texture { pigment { rgbt 1 } } #default { texture { T } }

@@ -61,3 +61,9 @@ union { #include "spheres.inc" }
 //= without the suffix, one is added first
 #include "bare" #debug concat(str(Bare, 0, 0), "\n")
 // expect: 2
+
+//= a file that is written anew is read anew
+#macro Through(Text) #fopen F "anew.inc" write #write (F, Text) #fclose F #include "anew.inc" #end
+#declare A = Through("7"); #declare B = Through("2 + 3") * 2; #declare C = Through("9");
+#debug concat(str(A, 0, 0), " ", str(B, 0, 0), " ", str(C, 0, 0), "\n")
+// expect: 7 8 9

@@ -219,3 +219,11 @@ object { O[0] } sphere { 0, 1 pigment { P[0] } } sphere { 0, 1 texture { T[0] } 
 //= elements that are not set in a copy
 #declare A = array[2] #declare A[0] = 1; #declare B = A; #debug concat(str(defined(B[0]), 0, 0), str(defined(B[1]), 0, 0), "\n")
 // expect: 10
+
+//= subscripts are what they are before the value, which a macro may make
+#macro M(P) spline { linear_spline #for (I, 2, 4) I, I*P #end } #end
+#declare C = array[7]
+#for (I, 0, 2) #declare C[I] = M(x*I) #end
+#for (I, 0, 6) #ifdef (C[I]) #debug "yes " #else #debug "no " #end #end
+#debug "\n"
+// expect: yes yes yes no no no no

@@ -125,13 +125,11 @@ sphere { 0, 1 @ } #debug "fine\n"
 sphere { 0, 1 pigment { @ color_map { [0 rgb 0] [1 rgb 1] } } } #debug "fine\n"
 // each: agate boxed bozo bumps cells crackle cylindrical dents granite leopard marble onion planar radial ripples spherical spotted waves wood wrinkles 'gradient x' 'spiral1 3' 'spiral2 3' 'quilted control0 0 control1 1' 'julia <0.3,0.4>, 20' 'mandel 20' 'magnet 1 mandel 20' 'magnet 2 julia <0.1,0.2>, 20' 'aoi' 'slope y' 'function { x }' 'pavement' 'tiling 3'
 // expect: fine
-// later: `pavement`; `tiling`
 
 //= pattern @ with colours
 sphere { 0, 1 pigment { @ } } #debug "fine\n"
 // each: 'checker rgb 1, rgb 0' 'checker' 'hexagon rgb 1, rgb 0, rgb 0.5' 'hexagon' 'brick rgb 1, rgb 0' 'brick' 'square rgb 1, rgb 0, rgb x, rgb y' 'triangular rgb 1, rgb 0, rgb x, rgb y, rgb z, rgb 1' 'checker pigment { rgb 1 } pigment { rgb 0 }' 'object { sphere { 0, 1 } rgb 1, rgb 0 }' 'cubic rgb 1, rgb 0'
 // expect: fine
-// later: `object`
 
 //= pattern modifier @
 sphere { 0, 1 pigment { bozo @ } } #debug "fine\n"
@@ -152,7 +150,6 @@ sphere { 0, 1 finish { @ } } #debug "fine\n"
 sphere { 0, 1 hollow interior { @ } } #debug "fine\n"
 // each: 'ior 1.5' 'fade_distance 1 fade_power 2' 'fade_color rgb 0.5' 'fade_colour rgb 0.5' 'caustics 0.5' 'dispersion 1.02' 'dispersion_samples 10' 'media { emission 1 }'
 // expect: fine
-// later: `media`
 
 //= switch words of some shapes: @
 @ #debug "fine\n"
@@ -162,4 +159,40 @@ sphere { 0, 1 hollow interior { @ } } #debug "fine\n"
 //= a sphere has no @
 sphere { 0, 1 @ }
 // each: sturm hierarchy
-// beyond
+// error: D0214 at 1:15
+
+//= media words @
+media { @ } #debug "fine\n"
+// each: '' 'method 1' 'method 2' 'method 3' 'intervals 3' 'samples 4' 'samples 4, 9' 'samples 4 9' 'confidence 0' 'variance -1' 'ratio 0.5' 'jitter 0.4' 'aa_threshold 0.2' 'aa_level 1' 'absorption 0.5' 'emission rgb 0.5' 'scattering { 1, rgb 1 }' 'scattering { 5 1 eccentricity 0.2 extinction 0.5 }' 'collect' 'collect off' 'density { bozo }' 'translate x' 'scale 2' 'rotate 30*x' 'transform { scale 2 }'
+// expect: fine
+
+//= densities @
+media { density { @ } } #debug "fine\n"
+// each: '' 'rgb 0.5' 'spherical' 'spherical scale 2 turbulence 0.4' 'gradient x color_map { [0 rgb 0] [1 rgb 1] }' 'gradient x density_map { [0 rgb 0] [1 bozo scale 2] }' 'average density_map { [1 bozo] [2 spherical] }' 'checker density { rgb 1 } density { bozo }' 'spherical warp { turbulence 0.3 }'
+// expect: fine
+
+//= names of media and densities
+#declare D = density { spherical scale 2 }
+#declare M = media { emission 1 density { D turbulence 0.3 } }
+#declare I = interior { media { M absorption 1 } media { M } }
+media { M density { D } } sphere { 0, 1 hollow interior { I } }
+#debug "fine\n"
+// expect: fine
+
+//= media that make no sense: @
+media { @ }
+// each: 'method 4' 'intervals 0' 'samples 0' 'samples 3, 2' 'confidence 1' 'confidence -0.1' 'aa_threshold 0' 'aa_level 0'
+// error: D0302 at 1:9
+
+//= eccentricity of another type
+media { scattering { 1, 1 eccentricity 0.2 } }
+// error: D0201 at 1:27
+
+//= a density takes no @
+media { density { spherical @ } }
+// each: 'pigment_map { [0 rgb 0] [1 rgb 1] }' 'quick_color rgb 1'
+// error: D0214 at 1:29
+
+//= nothing moves inside of an interior
+sphere { 0, 1 interior { media { emission 1 } scale 2 } }
+// error: D0214 at 1:47

@@ -44,7 +44,6 @@ camera { location -z } camera { location -2*z }
 @ #debug "fine\n"
 // each: 'camera { location 0 }' 'global_settings { max_trace_level 3 }' 'background { rgb 1 }' 'background { color rgb 1 }' 'fog { distance 10 rgb 0.5 }' 'sky_sphere { pigment { rgb 1 } }' 'max_trace_level 5' 'max_intersections 64' 'light_group { light_source { 0, rgb 1 } sphere { 0, 1 } }' 'media { emission 0.1 }'
 // expect: fine
-// later: `media`
 
 //= @ is nothing at the top level
 @

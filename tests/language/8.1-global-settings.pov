@@ -38,7 +38,29 @@ global_settings { @ } #debug "fine\n"
 //= item radiosity
 global_settings { radiosity { count 10 } } #debug "fine\n"
 // expect: fine
-// later: radiosity
+
+//= radiosity takes @
+global_settings { radiosity { @ } } #debug "fine\n"
+// each: 'count 100' 'count 100, 200' 'recursion_limit 20' 'error_bound 0.5' 'low_error_factor 1' 'nearest_count 10' 'nearest_count 10, 5' 'minimum_reuse 0.01' 'maximum_reuse 0.1' 'gray_threshold 0.5' 'brightness 2'
+// each: 'max_sample 1' 'adc_bailout 0.1' 'pretrace_start 0.1' 'pretrace_end 0.01' 'always_sample on' 'normal on' 'media off' 'subsurface on' 'minimum_reuse 0.15' 'maximum_reuse 0.02' 'minimum_reuse 0.1 maximum_reuse 0.15' 'load_file "a"' 'save_file "a"'
+// expect: fine
+
+//= radiosity does not take @
+global_settings { radiosity { @ } }
+// each: 'count 0' 'recursion_limit 0' 'recursion_limit 21' 'error_bound 0' 'nearest_count 0' 'nearest_count 21' 'nearest_count 5, 5' 'gray_threshold 2' 'brightness 0' 'adc_bailout 0' 'pretrace_start 0' 'pretrace_end 2'
+// error: D0302 at 1:31
+
+//= pretrace_end beyond pretrace_start
+global_settings { radiosity { pretrace_start 0.01 pretrace_end 0.02 } }
+// error: D0302 at 1:19
+
+//= minimum_reuse beyond maximum_reuse
+global_settings { radiosity { minimum_reuse 0.2 maximum_reuse 0.1 } }
+// error: D0302 at 1:19
+
+//= settings of old radiosity
+global_settings { radiosity { distance_maximum 1 } }
+// error: D0214 at 1:31
 
 //= item photons
 global_settings { photons { count 1000 } } sphere { 0, 1 photons { target reflection on } } #debug "fine\n"

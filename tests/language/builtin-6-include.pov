@@ -1,5 +1,4 @@
 // Built-in functions §6: what functions.inc declares beside the internal functions.
-// needs: functions.inc
 #version 3.7;
 global_settings { assumed_gamma 1 }
 #include "functions.inc"

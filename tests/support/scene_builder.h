@@ -69,8 +69,8 @@ class SceneBuilder {
                      scene::InteriorId interior = scene::none) {
     scene::Object object;
     object.type = primitive(type);
-    object.args = std::move(args);
-    object.args.resize(registry_->primitives[object.type]->arg_count());
+    args.resize(registry_->primitives[object.type]->arg_count());
+    object.args = args;
     object.texture.texture = texture;
     object.interior = interior;
     return root(object);

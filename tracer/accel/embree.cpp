@@ -1,8 +1,11 @@
 // Embree chooses whom to ask: one user geometry per sort of target, boxes in single precision
 // rounded outward. The answers, in double precision, live in the query.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <type_traits>
 #include <vector>
 
 #include "base/bounds.h"
@@ -100,11 +103,20 @@ void occluded_callback(const RTCOccludedFunctionNArguments* args) {
   RTCRayN_tfar(args->ray, 1, 0) = -float_infinity;
 }
 
+/// A reference to the device that all hierarchies share.
+RTCDevice shared_device() {
+  static const std::unique_ptr<std::remove_pointer_t<RTCDevice>, decltype(&rtcReleaseDevice)> device(
+      rtcNewDevice(nullptr), &rtcReleaseDevice);
+  rtcRetainDevice(device.get());
+  return device.get();
+}
+
 class EmbreeAccel final : public Accel {
  public:
   explicit EmbreeAccel(std::span<const Targets* const> all) {
     collect(all);
-    device_ = rtcNewDevice(nullptr);
+    if (!few_.empty() || region_.box.empty()) return;
+    device_ = shared_device();
     scene_ = rtcNewScene(device_);
     members_.reserve(all.size());
     for (const Targets* targets : all) {
@@ -113,6 +125,7 @@ class EmbreeAccel final : public Accel {
     rtcCommitScene(scene_);
   }
   ~EmbreeAccel() override {
+    if (device_ == nullptr) return;
     rtcReleaseScene(scene_);
     rtcReleaseDevice(device_);
   }
@@ -121,6 +134,10 @@ class EmbreeAccel final : public Accel {
 
   void closest(RayQuery& query) const override {
     for (const Lone& lone : lone_) lone.targets->nearest(*lone.targets, lone.index, query);
+    if (!few_.empty()) {
+      ask_few(query);
+      return;
+    }
     Travelling context;
     RTCRayHit rayhit;
     if (!prepare(query, context, rayhit.ray)) return;
@@ -141,6 +158,10 @@ class EmbreeAccel final : public Accel {
       lone.targets->nearest(*lone.targets, lone.index, query);
       if (query.found.store != nullptr) return true;
     }
+    if (!few_.empty()) {
+      ask_few(query);
+      return query.found.store != nullptr;
+    }
     Travelling context;
     RTCRay ray;
     if (!prepare(query, context, ray)) return false;
@@ -156,9 +177,15 @@ class EmbreeAccel final : public Accel {
   }
 
  private:
+  static constexpr std::size_t few_objects = 4;
+
   struct Lone {
     const Targets* targets;
     std::uint32_t index;
+  };
+  struct Boxed {
+    Bounds3 box;
+    Lone target;
   };
   struct Finite {
     double reach;
@@ -183,6 +210,13 @@ class EmbreeAccel final : public Accel {
       }
     }
     if (finite.empty()) return;
+    if (finite.size() <= few_objects) {
+      for (const Finite& f : finite) {
+        few_.push_back(
+            {BoxTree::grown(f.target.targets->surface_bounds(f.target.index)), f.target});
+      }
+      return;
+    }
     const std::size_t few = std::min(most + 1, finite.size());
     std::partial_sort(finite.begin(), finite.begin() + static_cast<std::ptrdiff_t>(few),
                       finite.end(),
@@ -204,6 +238,29 @@ class EmbreeAccel final : public Accel {
     region_.pad = 1e-6 * std::max({extent.x, extent.y, extent.z});
     region_.box.lo -= region_.pad;
     region_.box.hi += region_.pad;
+  }
+
+  /// Asks those whose boxes the ray meets, the nearest box first.
+  void ask_few(RayQuery& query) const {
+    struct Met {
+      double t;
+      const Lone* target;
+    };
+    std::array<Met, few_objects> met;
+    std::size_t count = 0;
+    const dvec3 inverse = 1.0 / query.ray.d;
+    for (const Boxed& boxed : few_) {
+      double t_from = query.t_from;
+      double t_to = query.t_to;
+      if (!BoxTree::clip(boxed.box, query.ray.o, inverse, t_from, t_to)) continue;
+      std::size_t at = count++;
+      for (; at > 0 && t_from < met[at - 1].t; --at) met[at] = met[at - 1];
+      met[at] = {t_from, &boxed.target};
+    }
+    for (std::size_t i = 0; i < count && met[i].t <= query.t_to; ++i) {
+      met[i].target->targets->nearest(*met[i].target->targets, met[i].target->index, query);
+      if (query.any && query.found.store != nullptr) return;
+    }
   }
 
   void attach(Member& member) {
@@ -251,6 +308,7 @@ class EmbreeAccel final : public Accel {
   RTCScene scene_ = nullptr;
   std::vector<Member> members_;
   std::vector<Lone> lone_;  // asked one by one
+  std::vector<Boxed> few_;  // all others, if they are so few that boxes of our own are faster
   Region region_;
 };
 

@@ -11,6 +11,7 @@
 #include "base/bounds.h"
 #include "base/ray.h"
 #include "scene/mesh.h"
+#include "tracer/accel/wide_nodes.h"
 
 namespace durer::tracer {
 
@@ -32,33 +33,19 @@ class TriangleTree {
   void all(const Ray& ray, double t_from, double t_to, std::vector<Hit>& out) const;
 
   /// Box of all faces that have an area.
-  [[nodiscard]] const Bounds3& bounds() const { return bounds_; }
+  [[nodiscard]] const Bounds3& bounds() const { return nodes_.bounds; }
   [[nodiscard]] std::size_t bytes() const;
 
-  static constexpr std::size_t width = 8;      // children of a node
   static constexpr std::size_t block_size = 4;  // triangles that are tested together
 
-  /// Boxes of the children, relative to the centre of the whole. Absent children are empty boxes.
-  struct alignas(32) Node {
-    std::array<std::array<float, width>, 6> planes;  // lo x, y, z; hi x, y, z
-    std::array<std::uint32_t, width> child;          // node, or leaf_mark | block
-  };
   /// A leaf: corners of four triangles, a component of four at a time. Absent triangles are points.
   struct alignas(16) Block {
     std::array<std::array<float, block_size>, 9> corners;  // a.x a.y a.z b.x … c.z
     std::array<std::uint32_t, block_size> face;
   };
-  static constexpr std::uint32_t leaf_mark = 1U << 31;
-  /// A walk leaves at most seven children waiting on each level; the builder makes 32 levels, and
-  /// a few more where triangles cannot be told apart.
-  static constexpr std::size_t stack_size = 7 * 48;
 
-  std::vector<Node> nodes_;
+  WideNodes nodes_;
   std::vector<Block> blocks_;
-  Bounds3 bounds_;
-  dvec3 center_{0.0};
-  std::uint32_t root_ = 0;
-  float pad_ = 0;  // by which boxes are larger than what is in them
 };
 
 }  // namespace durer::tracer

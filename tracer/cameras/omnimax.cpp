@@ -20,6 +20,7 @@ bool ray(const Camera& c, const PictureSpot& at, functions::Workspace&, CameraRa
     b /= aspect;
   }
   const DomePoint p = dome_point(a, b);
+  if (p.radius > 1) return false;
   const double r = p.radius;
   if (r > 1) return false;
   const double tilt = r * (1.411269 + r * r * (-0.09439 + r * r * 0.25674));

@@ -30,9 +30,13 @@ bool box_in_solid(const Solid& solid, const Bounds3& box) {
 
 }  // namespace
 
-bool gates_open(std::uint32_t leaf, RayQuery& query) {
+bool gates_open(std::uint32_t leaf, const RayQuery& query) {
+  return gate_open(query.parts->gate_of_leaf[leaf], query);
+}
+
+bool gate_open(std::uint32_t gate, const RayQuery& query) {
   const Parts& parts = *query.parts;
-  for (auto g = parts.gate_of_leaf[leaf]; g != scene::none; g = parts.gates[g].outer) {
+  for (auto g = gate; g != scene::none; g = parts.gates[g].outer) {
     double t_from = t_min;
     double t_to = query.t_to;
     if (!BoxTree::clip(parts.gates[g].box, query.ray.o, 1.0 / query.ray.d, t_from, t_to)) {

@@ -31,6 +31,12 @@ Viewpoint::Viewpoint(const CompiledScene& s, const RenderOptions& o)
   }
 }
 
+void Eye::begin(const IrradianceCache* cache, std::uint32_t seed) {
+  const std::optional<RadiosityProgram>& r = view_->scene->radiosity;
+  if (!r) return;
+  scratch_.radiosity.begin(cache, true, seed, static_cast<std::uint32_t>(r->directions.size()));
+}
+
 Pixel Eye::see(double x, double y, std::uint32_t index) {
   if (!view_->lens.blurs()) return plain(x, y, index);
   return view_->lens.blur([&](int n) { return through_lens(x, y, index, n); });

@@ -34,11 +34,17 @@ class Eye {
   /// pixel apart.
   [[nodiscard]] Pixel see(double x, double y, std::uint32_t index);
 
+  /// Before a block of the final picture: what is known of indirect light. `seed` is its own.
+  void begin(const IrradianceCache* cache, std::uint32_t seed);
+  /// The same for one ray through the middle of the lens, for the sake of what it gathers.
+  void probe(double x, double y) { plain(x, y, 0); }
+  [[nodiscard]] RadiosityState& radiosity() { return scratch_.radiosity; }
+
   [[nodiscard]] std::uint64_t rays() const { return scratch_.rays; }
 
  private:
   [[nodiscard]] bool camera_ray(double x, double y, int turn, CameraRay& out);
-  [[nodiscard]] Pixel plain(double x, double y, std::uint32_t index);
+  Pixel plain(double x, double y, std::uint32_t index);
   [[nodiscard]] Pixel through_lens(double x, double y, std::uint32_t index, int sample);
   [[nodiscard]] Pixel look_along(CameraRay ray, double x, double y, std::uint32_t index);
   [[nodiscard]] Containment around(dvec3 p);

@@ -1,17 +1,15 @@
 // The picture: blocks to threads, samples to pixels (shading §2.3, §3).
 #include "tracer/render.h"
 
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <atomic>
 #include <thread>
 
 #include "tracer/film/adaptive.h"
 #include "tracer/film/eye.h"
+#include "tracer/film/pretrace.h"
 #include "tracer/film/progress.h"
+#include "tracer/film/threads.h"
 
 namespace durer::tracer {
 namespace {
@@ -58,6 +56,9 @@ class BlockRenderer {
         antialias_(antialias_options(*view.scene, *view.options)),
         adaptive_(antialias_options(*view.scene, *view.options)) {}
 
+  /// Before each block: what is known of indirect light. `id` tells the blocks apart.
+  void begin(const IrradianceCache& cache, std::uint32_t id) { eye_.begin(&cache, ~id); }
+
   void render(const Block& block) {
     const auto take = [this](double x, double y, std::uint32_t i) { return eye_.see(x, y, i); };
     const auto put = [this](int x, int y, const Pixel& p) { store(x, y, p); };
@@ -86,25 +87,47 @@ class BlockRenderer {
   AdaptiveAntialias adaptive_;
 };
 
+std::vector<PretraceTile> tiles_of(const Block& part) {
+  constexpr int size = 32;
+  std::vector<PretraceTile> tiles;
+  for (int y = part.top; y < part.bottom; y += size) {
+    for (int x = part.left; x < part.right; x += size) {
+      tiles.push_back({static_cast<std::uint32_t>(tiles.size()),
+                       {{double(x), double(y), double(std::min(x + size, part.right)),
+                         double(std::min(y + size, part.bottom))}}});
+    }
+  }
+  return tiles;
+}
+
+// The cache of indirect light, filled by the passes before the picture.
+IrradianceCache gather_light(const Viewpoint& view, int threads, ProgressMeter& meter) {
+  if (!view.scene->radiosity) return {};
+  const RenderOptions& o = *view.options;
+  Pretrace<Eye> pretrace(*view.scene->radiosity, tiles_of(part_of(o)), std::max(o.width, o.height));
+  pretrace.run(threads, [&] { return std::make_unique<Eye>(view); }, meter);
+  return std::move(pretrace).cache();
+}
+
 // Threads take the next block in row-major order until none is left, past those already done.
 void render_blocks(const Viewpoint& view, const std::vector<Block>& blocks, int threads,
                    ProgressMeter& meter, image::Image& image,
                    std::vector<std::atomic<bool>>* done) {
+  const IrradianceCache cache = gather_light(view, threads, meter);
   std::atomic<std::size_t> next{0};
   const auto work = [&](int) {
     BlockRenderer renderer(view, image);
     std::uint64_t counted = 0;
     for (std::size_t i = next++; i < blocks.size() && !meter.cancelled(); i = next++) {
       if (done && (*done)[i]) continue;
+      renderer.begin(cache, static_cast<std::uint32_t>(i));
       renderer.render(blocks[i]);
       if (done) (*done)[i].store(true, std::memory_order_release);
       meter.add(pixels_of(blocks[i]), renderer.rays() - counted);
       counted = renderer.rays();
     }
   };
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-  tbb::task_arena arena(threads);
-  arena.execute([&] { tbb::parallel_for(0, threads, work, tbb::simple_partitioner()); });
+  on_threads(threads, work);
 }
 
 }  // namespace

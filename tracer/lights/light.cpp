@@ -73,6 +73,7 @@ Light compile_light(const scene::Light& in, bool areas) {
   light.tightness = in.tightness;
   light.fade_distance = in.fade_distance;
   light.fade_power = in.fade_power;
+  light.media_interaction = in.media_interaction;
   return light;
 }
 

@@ -24,6 +24,7 @@ struct Light {
   double fade_power = 0;
   scene::LightArea area;
   std::uint32_t projector = scene::none;  // index into CompiledScene::projectors
+  bool media_interaction = true;
 };
 
 /// `areas`: lamps of some extent are such; else they are points.

@@ -9,6 +9,10 @@
 #include "functions/tape.h"
 #include "tracer/patterns/operand.h"
 
+namespace durer::scene {
+struct Voxels;
+}
+
 namespace durer::tracer {
 
 /// Evidence: the value of a pattern with default operands at one point.
@@ -18,6 +22,7 @@ struct PatternSample {
 };
 
 struct InnerPigment;
+class ImageSampler;
 
 /// What patterns may have to know beside their operands. Spans and pointers outlive the pattern.
 struct PatternContext {
@@ -27,8 +32,10 @@ struct PatternContext {
   float phase = 0;
   dvec3 turbulence{0.0};         // of `turbulence` outside of any warp
   functions::Octaves octaves;    // of the same
-  const functions::Function* function = nullptr;  // what the pattern `function` evaluates
+  const functions::Function* function = nullptr;  // for the patterns `function` and `object`
   const InnerPigment* pigment = nullptr;          // what `pigment_pattern` looks at
+  const ImageSampler* image = nullptr;            // what `image_map` and its like show
+  const scene::Voxels* voxels = nullptr;          // what `density_file` looks up
 };
 
 /// A surface as a ray meets it, for patterns that depend on more than the place.
@@ -36,6 +43,7 @@ struct SurfaceView {
   dvec3 p{0.0};  // world point
   dvec3 d{0.0};  // unit direction of the ray
   dvec3 n{0.0};  // the normal so far, towards the viewer
+  dvec3 uv{0.0};  // (u, v, 0), if anything in the texture is looked up there
 };
 
 /// A pattern as the tracer runs it. `evaluate` is the raw value before frequency, phase and wave
@@ -47,6 +55,12 @@ struct PatternType : scene::PatternInfo {
   /// Bumps of a kind of their own: what becomes of the normal `n` at `p`. Null: the slope of
   /// `evaluate` makes the bumps.
   dvec3 (*perturb)(const PatternState& state, dvec3 p, dvec3 n, double amount) = nullptr;
+  /// Colours of a pattern that has some instead of a value. Null: it has a value.
+  Colour (*colour)(const PatternState& state, dvec3 p) = nullptr;
+  /// False where such a pattern shows nothing; null: it shows something everywhere.
+  bool (*covers)(const PatternState& state, dvec3 p) = nullptr;
+  /// True if the colours of such a pattern never let light through.
+  bool (*opaque)(const PatternState& state) = nullptr;
   bool own_turbulence = false;  // does itself what `turbulence` outside of any warp asks for
   std::span<const PatternSample> samples;
 };
@@ -77,6 +91,22 @@ double evaluate(const PatternState& state, dvec3 p, [[maybe_unused]] const Surfa
 }
 
 template <typename P>
+concept Paints = requires(const P& pattern) { pattern.colour(dvec3()); };
+
+template <typename P>
+Colour colour(const PatternState& state, dvec3 p) {
+  return state.as<P>().colour(p);
+}
+template <typename P>
+bool opaque(const PatternState& state) {
+  return state.as<P>().opaque();
+}
+template <typename P>
+bool covers(const PatternState& state, dvec3 p) {
+  return state.as<P>().covers(p);
+}
+
+template <typename P>
 concept Perturbs = requires(const P& pattern) { pattern.perturb(dvec3(), dvec3(), 0.0); };
 
 template <typename P>
@@ -96,7 +126,12 @@ struct PatternTraits {
   bool averages = false;
   bool takes_function = false;
   bool takes_pigment = false;
+  bool takes_image = false;
+  bool takes_voxels = false;
+  bool takes_object = false;
+  bool only_pigment = false;
   bool only_normal = false;
+  bool only_texture = false;
 };
 
 /// Describes the pattern P: default members, `operands` (optional), `samples`, an optional
@@ -119,8 +154,18 @@ constexpr PatternType describe_pattern(std::string_view name, std::string_view d
   type.averages = traits.averages;
   type.takes_function = traits.takes_function;
   type.takes_pigment = traits.takes_pigment;
+  type.takes_image = traits.takes_image;
+  type.takes_voxels = traits.takes_voxels;
+  type.takes_object = traits.takes_object;
+  type.only_pigment = traits.only_pigment;
   type.only_normal = traits.only_normal;
+  type.only_texture = traits.only_texture;
   if constexpr (detail::Perturbs<P>) type.perturb = &detail::perturb<P>;
+  if constexpr (detail::Paints<P>) {
+    type.colour = &detail::colour<P>;
+    type.covers = &detail::covers<P>;
+    type.opaque = &detail::opaque<P>;
+  }
   type.prepare = &detail::prepare<P>;
   type.evaluate = &detail::evaluate<P>;
   type.samples = P::samples;

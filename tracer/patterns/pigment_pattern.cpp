@@ -11,7 +11,8 @@ struct PigmentPattern {
 
   void prepare(const PatternContext& context) { pigment = context.pigment; }
   double operator()(dvec3 p, const SurfaceView* view) const {
-    return pigment == nullptr ? 0 : grey(pigment->store.at(pigment->id, p, view).rgb);
+    if (pigment == nullptr || !pigment->store.covers(pigment->id, p, view)) return 0;
+    return grey(pigment->store.at(pigment->id, p, view).rgb);
   }
 };
 

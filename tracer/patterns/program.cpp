@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracer/patterns/image_sampler.h"
 #include "tracer/patterns/patterns.h"
 #include "tracer/patterns/pigment_pattern.h"
 #include "tracer/warps/turbulence.h"
@@ -61,6 +62,11 @@ PatternProgram PatternStore::compile(const scene::Pattern& pattern, const Transf
     context.pigment = inner.get();
     pigments_.push_back(std::move(inner));
   }
+  if (pattern.image) context.image = sampler(pattern.image);
+  if (pattern.voxels) {
+    context.voxels = pattern.voxels.get();
+    voxels_.push_back(pattern.voxels);
+  }
 
   out.first_step = static_cast<std::uint32_t>(steps_.size());
   for (std::size_t i = pattern.warps.size(); i-- > 0;) {
@@ -85,6 +91,12 @@ PatternProgram PatternStore::compile(const scene::Pattern& pattern, const Transf
   out.phase = pattern.phase;
   out.wave_exponent = pattern.wave_exponent;
   return out;
+}
+
+const ImageSampler* PatternStore::sampler(const std::shared_ptr<const scene::Image>& image) {
+  std::shared_ptr<const ImageSampler>& known = images_[image];
+  if (!known) known = std::make_shared<const ImageSampler>(*image);
+  return known.get();
 }
 
 void PatternStore::add_step(const scene::Warp& warp) {

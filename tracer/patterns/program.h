@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <unordered_map>
 #include <vector>
 
 #include "scene/pattern.h"
@@ -47,6 +48,7 @@ class PatternStore {
   };
 
   void add_step(const scene::Warp& warp);
+  [[nodiscard]] const ImageSampler* sampler(const std::shared_ptr<const scene::Image>& image);
 
   scene::Settings settings_;
   // Behind a pointer, so that programs may point to it wherever the store goes.
@@ -55,6 +57,10 @@ class PatternStore {
   // What programs point to.
   std::vector<functions::FunctionRef> functions_;
   std::vector<std::shared_ptr<const InnerPigment>> pigments_;
+  std::vector<std::shared_ptr<const scene::Voxels>> voxels_;
+  // Copies of a texture in other places show the same picture.
+  std::unordered_map<std::shared_ptr<const scene::Image>, std::shared_ptr<const ImageSampler>>
+      images_;
 };
 
 /// The wave form that shapes a pattern's value, 0…1 (textures §3, step 5).

@@ -4,33 +4,12 @@
 #include <memory>
 
 #include "base/roots/bernstein.h"
-#include "tracer/primitives/blob_field.h"
+#include "tracer/primitives/blob_line.h"
 #include "tracer/primitives/describe.h"
 #include "tracer/primitives/shared_data.h"
 
 namespace durer::tracer {
 namespace {
-
-/// What all objects that show one blob share.
-struct BlobData {
-  double threshold = 1;
-  std::vector<BlobComponent> components;
-  BoxTree tree;
-  Bounds3 bounds;
-  bool textured = false;
-};
-
-/// Stretches of this thread's present line.
-struct LineBuffers {
-  std::vector<BlobStretch> stretches;
-  std::vector<const BlobStretch*> active;
-};
-LineBuffers& line_buffers() {
-  thread_local LineBuffers buffers;
-  buffers.stretches.clear();
-  buffers.active.clear();
-  return buffers;
-}
 
 // The surface where the fields of all components add up to the threshold (objects §10.6).
 struct Blob {
@@ -39,19 +18,18 @@ struct Blob {
   static constexpr double far = t_far;
   static constexpr double nearest_seen = 1e-2;  // in world units (objects §3)
 
-  [[nodiscard]] Bounds3 bounds() const { return data->bounds; }
+  [[nodiscard]] Bounds3 bounds() const { return data->seen; }
   [[nodiscard]] Bounds3 inside_bounds() const {
-    return data->threshold < 1e-6 ? Bounds3::everything() : data->bounds;
+    return data->threshold < 1e-6 ? Bounds3::everything() : data->seen;
   }
   [[nodiscard]] bool begins_inside(const Ray& /*ray*/) const { return data->threshold < 1e-6; }
   [[nodiscard]] bool contains(dvec3 p) const {
     double sum = 0;
-    data->tree.at(p, [&](std::uint32_t i) { sum += data->components[i].field(p); });
+    data->each_near(p, [&](const BlobComponent& c) { sum += c.field(p); });
     return sum > data->threshold - 1e-6;
   }
   [[nodiscard]] dvec3 normal(dvec3 p, std::uint32_t /*part*/) const {
-    dvec3 sum(0.0);
-    data->tree.at(p, [&](std::uint32_t i) { sum += data->components[i].fall(p); });
+    const dvec3 sum = data->fall(p);
     return sum == dvec3(0.0) ? dvec3(1, 0, 0) : sum;
   }
   // Components that have no texture look like the blob.
@@ -59,8 +37,7 @@ struct Blob {
     TextureBlend blend;
     if (!data->textured) return blend;
     double sum = 0;
-    data->tree.at(p, [&](std::uint32_t i) {
-      const BlobComponent& c = data->components[i];
+    data->each_near(p, [&](const BlobComponent& c) {
       const double weight = std::abs(c.field(p));
       if (weight == 0) return;
       sum += weight;
@@ -77,65 +54,119 @@ struct Blob {
     return blend;
   }
 
-  /// Calls f(t) for every crossing from t_from on, ascending, until it returns false; earlier ones
-  /// may be among them.
-  template <typename F>
-  void each_crossing(const Ray& ray, double t_from, double t_to, F&& f) const {
-    LineBuffers& buffers = line_buffers();
-    std::vector<BlobStretch>& stretches = buffers.stretches;
-    std::vector<const BlobStretch*>& active = buffers.active;
-    data->tree.along(ray, t_from, t_to, [&](std::uint32_t i) {
-      data->components[i].append_stretches(ray, stretches);
-    });
-    std::sort(stretches.begin(), stretches.end(),
-              [](const BlobStretch& a, const BlobStretch& b) { return a.begin < b.begin; });
-    double before = -data->threshold;  // field less threshold, where the last piece ended
-    double at = -std::numeric_limits<double>::infinity();
-    for (std::size_t next = 0; next < stretches.size() || !active.empty();) {
-      if (active.empty() && stretches[next].begin > at) {
-        at = stretches[next].begin;
-        before = -data->threshold;
-      }
-      while (next < stretches.size() && stretches[next].begin <= at)
-        active.push_back(&stretches[next++]);
-      double end =
-          next < stretches.size() ? stretches[next].begin : std::numeric_limits<double>::infinity();
-      for (const BlobStretch* s : active) end = std::min(end, s->end);
-      if (end > at) {
-        Bernstein<4> sum = excess(active, at, end);
-        sum[0] = before;  // what the piece before it ended with: both must agree about the side
-        for (const double w : sign_changes<4>(sum)) {
-          if (!f(at + (end - at) * w)) return;
-        }
-        before = sum[4];
-        at = end;
-        if (at > t_to) return;
-      }
-      std::erase_if(active, [at](const BlobStretch* s) { return s->end <= at; });
-      // A gap follows, unless a rod goes on where its round end stops.
-      const bool gap = active.empty() && !(next < stretches.size() && stretches[next].begin <= at);
-      if (gap && (before < 0) != (-data->threshold < 0) && !f(at)) return;
-    }
-  }
   void crossings(const Ray& ray, Crossings& out) const {
+    BlobLine& line = BlobLine::of_thread(-no_hit_depth, no_hit_depth);
+    data->gather(ray, BlobReach::whole, line);
     bool inside = begins_inside(ray);
-    each_crossing(ray, -no_hit_depth, no_hit_depth, [&](double t) {
+    each_crossing(line, [&](double t) {
       inside = !inside;
       out.push_back({t, 0, 0, inside ? Side::enter : Side::exit, true});
       return true;
     });
   }
   [[nodiscard]] std::optional<Nearest> nearest(const Ray& ray, double t_from, double t_to) const {
-    std::optional<Nearest> best;
-    t_from = std::max(t_from, nearest_seen);
-    each_crossing(ray, t_from, t_to, [&](double t) {
-      if (t >= t_from && t < t_to) best = Nearest{t, 0};
-      return t < t_from;
+    BlobLine& line = line_up(ray, std::max(t_from, nearest_seen), t_to);
+    std::optional<Nearest> first;
+    each_crossing(line, [&](double t) {
+      if (t < t_to) first = Nearest{t, 0};
+      return false;
     });
-    return best;
+    return first;
+  }
+  [[nodiscard]] std::optional<Nearest> any(const Ray& ray, double t_from, double t_to) const {
+    t_from = std::max(t_from, nearest_seen);
+    if (!(t_from < t_to)) return std::nullopt;
+    // Who is inside somewhere and ends outside has crossed the surface.
+    const bool ends_outside = !data->bounds().contains(ray.at(t_to));
+    bool found = false;
+    if (ends_outside) {
+      BlobLine& line = BlobLine::of_thread(t_from, t_to);
+      found = data->gather(ray, BlobReach::any_full, line) || crosses(line);
+    } else {
+      found = crosses(line_up(ray, t_from, t_to));
+    }
+    if (!found) return std::nullopt;
+    return Nearest{t_from, 0};
   }
 
  private:
+  /// The line as far as its first crossing.
+  [[nodiscard]] BlobLine& line_up(const Ray& ray, double t_from, double t_to) const {
+    BlobLine& line = BlobLine::of_thread(t_from, t_to);
+    data->gather(ray, BlobReach::to_first, line);
+    if (line.t_to < t_to && line.field_at_begin() >= data->threshold) {
+      // It begins inside, and so may go through full places before it comes out.
+      BlobLine::of_thread(t_from, t_to);
+      data->gather(ray, BlobReach::whole, line);
+    }
+    return line;
+  }
+
+  /// Calls f(t) for every crossing, ascending, until it returns false.
+  template <typename F>
+  void each_crossing(BlobLine& line, F&& f) const {
+    sweep(
+        line,
+        [&](const Bernstein<4>& excess, double at, double end) {
+          for (const double w : sign_changes<4>(excess)) {
+            if (!f(at + (end - at) * w)) return false;
+          }
+          return true;
+        },
+        f);
+  }
+  [[nodiscard]] bool crosses(BlobLine& line) const {
+    bool found = false;
+    sweep(
+        line,
+        [&](const Bernstein<4>& excess, double, double) {
+          found = has_sign_change<4>(excess);
+          return !found;
+        },
+        [&](double) {
+          found = true;
+          return false;
+        });
+    return found;
+  }
+
+  /// Calls piece(excess, begin, end) for the pieces of the line between beginnings and ends of
+  /// stretches, ascending, and jump(t) where the side changes between two of them; both return
+  /// false to stop.
+  template <typename Piece, typename Jump>
+  void sweep(BlobLine& line, Piece&& piece, Jump&& jump) const {
+    const std::vector<const BlobStretch*>& order = line.order;
+    std::vector<const BlobStretch*>& active = line.active;
+    const double outside = -data->threshold;  // the field less the threshold, away from components
+    double before = outside;  // where the last piece ended
+    double at = -std::numeric_limits<double>::infinity();
+    for (std::size_t next = 0; next < order.size() || !active.empty();) {
+      bool cut = false;  // it begins within components
+      if (active.empty() && order[next]->begin > at) {
+        at = order[next]->begin;
+        before = outside;
+        cut = at <= line.t_from;
+      }
+      while (next < order.size() && order[next]->begin <= at) active.push_back(order[next++]);
+      double end = next < order.size() ? order[next]->begin : line.t_to;
+      for (const BlobStretch* s : active) end = std::min(end, s->end);
+      end = std::min(end, line.t_to);
+      if (end > at) {
+        Bernstein<4> sum = excess(active, at, end);
+        // What the piece before it ended with: both must agree about the side.
+        if (!cut) sum[0] = before;
+        if (!piece(sum, at, end)) return;
+        before = sum[4];
+        at = end;
+      }
+      if (at >= line.t_to) return;
+      std::erase_if(active, [at](const BlobStretch* s) { return s->end <= at; });
+      // A gap follows, unless a rod goes on where its round end stops.
+      const bool gap = active.empty() && !(next < order.size() && order[next]->begin <= at);
+      if (gap && (before < 0) != (outside < 0) && !jump(at)) return;
+    }
+  }
+
   /// The field of these, less the threshold, over [a, b].
   [[nodiscard]] Bernstein<4> excess(const std::vector<const BlobStretch*>& active, double a,
                                     double b) const {
@@ -161,23 +192,14 @@ constexpr std::array<scene::Param, components_at> blob_params = {
     scene::Param{"threshold", scene::ArgKind::number, "the sum of the fields at the surface"}};
 
 std::shared_ptr<const BlobData> blob_of(std::span<const double> args) {
-  auto data = std::make_shared<BlobData>();
-  data->threshold = args[threshold_at];
-  data->components = blob_components(args.subspan(components_at));
-  std::vector<Bounds3> boxes;
-  for (const BlobComponent& c : data->components) {
-    boxes.push_back(c.reach);
-    data->bounds.add(c.seen);
-    data->textured = data->textured || c.texture != scene::none;
-  }
-  data->tree = BoxTree(boxes);
+  auto data = std::make_shared<BlobData>(args[threshold_at], args.subspan(components_at));
   return data;
 }
 
 std::optional<ShapeRef> place_blob(TypeStores& stores, std::span<const double> args,
                                    const Transform& to_world, bool inverted) {
   auto data = shared_data<BlobData>(args, blob_of);
-  if (data->bounds.empty()) return std::nullopt;
+  if (data->seen.empty()) return std::nullopt;
   return place_shape(stores, Blob{std::move(data)}, to_world, inverted);
 }
 

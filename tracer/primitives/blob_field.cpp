@@ -13,24 +13,40 @@ namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
 
-/// The stretch where |o + t d|² < radius2, cut to [from, to].
-void append(dvec3 o, dvec3 d, double radius2, double strength, double from, double to,
-            std::vector<BlobStretch>& out) {
-  const double bend = glm::dot(d, d);
-  if (bend <= 1e-30) {  // along a rod: the same all the way
-    const double top = radius2 - glm::dot(o, o);
-    if (top > 0 && from < to) out.push_back({from, to, 0, top, 0, strength});
-    return;
+/// Makes stretches of one component.
+struct Appender {
+  double radius2;
+  double strength;
+  double full;
+  std::vector<BlobStretch>& out;
+
+  /// The stretch where |o + t d|² < radius2, cut to [from, to].
+  void operator()(dvec3 o, dvec3 d, double from, double to) const {
+    const double bend = glm::dot(d, d);
+    if (bend <= 1e-30) {  // along a rod: the same all the way
+      const double top = radius2 - glm::dot(o, o);
+      const double full_begin = top > full ? from : endless;
+      if (top > 0 && from < to) out.push_back({from, to, 0, top, 0, strength, full_begin, to});
+      return;
+    }
+    const double middle = -glm::dot(o, d) / bend;
+    const dvec3 nearest = o + middle * d;
+    const double top = radius2 - glm::dot(nearest, nearest);
+    if (!(top > epsilon * radius2)) return;
+    const double half = std::sqrt(top / bend);
+    const double begin = std::max(middle - half, from);
+    const double end = std::min(middle + half, to);
+    if (!(begin < end)) return;
+    double full_begin = endless;
+    double full_end = -endless;
+    if (top > full) {
+      const double full_half = std::sqrt((top - full) / bend);
+      full_begin = std::max(middle - full_half, begin);
+      full_end = std::min(middle + full_half, end);
+    }
+    out.push_back({begin, end, middle, top, bend, strength, full_begin, full_end});
   }
-  const double middle = -glm::dot(o, d) / bend;
-  const dvec3 nearest = o + middle * d;
-  const double top = radius2 - glm::dot(nearest, nearest);
-  if (!(top > epsilon * radius2)) return;
-  const double half = std::sqrt(top / bend);
-  const double begin = std::max(middle - half, from);
-  const double end = std::min(middle + half, to);
-  if (begin < end) out.push_back({begin, end, middle, top, bend, strength});
-}
+};
 
 }  // namespace
 
@@ -51,11 +67,13 @@ dvec3 BlobComponent::fall(dvec3 p) const {
   return root > 0 ? to_own.covector(4 * strength * root * off) : dvec3(0.0);
 }
 
-void BlobComponent::append_stretches(const Ray& ray, std::vector<BlobStretch>& out) const {
+void BlobComponent::append_stretches(const Ray& ray, double t_from, double t_to,
+                                     std::vector<BlobStretch>& out) const {
+  const Appender append{radius2, strength, full, out};
   const dvec3 o = to_own.point(ray.o);
   const dvec3 d = to_own.vector(ray.d);
   if (length < 0) {
-    append(o, d, radius2, strength, -endless, endless, out);
+    append(o, d, t_from, t_to);
     return;
   }
   // Where the line is beside the rod, below and above it.
@@ -65,16 +83,17 @@ void BlobComponent::append_stretches(const Ray& ray, std::vector<BlobStretch>& o
   const dvec3 o_side(o.x, o.y, 0);
   const dvec3 d_side(d.x, d.y, 0);
   if (std::abs(d.z) < 1e-15) {
-    if (o.z < 0) append(o, d, radius2, strength, -endless, endless, out);
-    if (o.z > length) append(o_top, d, radius2, strength, -endless, endless, out);
-    if (o.z >= 0 && o.z <= length)
-      append(o_side, d_side, radius2, strength, -endless, endless, out);
+    if (o.z < 0) append(o, d, t_from, t_to);
+    if (o.z > length) append(o_top, d, t_from, t_to);
+    if (o.z >= 0 && o.z <= length) append(o_side, d_side, t_from, t_to);
     return;
   }
   const bool climbs = d.z > 0;
-  append(o, d, radius2, strength, climbs ? -endless : t0, climbs ? t0 : endless, out);
-  append(o_side, d_side, radius2, strength, std::min(t0, t1), std::max(t0, t1), out);
-  append(o_top, d, radius2, strength, climbs ? t1 : -endless, climbs ? endless : t1, out);
+  const auto until = [&](double t) { return std::min(t, t_to); };
+  const auto from = [&](double t) { return std::max(t, t_from); };
+  append(o, d, climbs ? t_from : from(t0), climbs ? until(t0) : t_to);
+  append(o_side, d_side, from(std::min(t0, t1)), until(std::max(t0, t1)));
+  append(o_top, d, climbs ? from(t1) : t_from, climbs ? t_to : until(t1));
 }
 
 std::size_t blob_component_size(std::span<const double> list) {
@@ -84,7 +103,7 @@ std::size_t blob_component_size(std::span<const double> list) {
   return size <= list.size() ? size : 0;
 }
 
-std::vector<BlobComponent> blob_components(std::span<const double> list) {
+std::vector<BlobComponent> blob_components(std::span<const double> list, double threshold) {
   std::vector<BlobComponent> all;
   for (std::size_t size = 0; (size = blob_component_size(list)) > 0; list = list.subspan(size)) {
     const auto kind = static_cast<unsigned>(list[0]);
@@ -104,6 +123,9 @@ std::vector<BlobComponent> blob_components(std::span<const double> list) {
     if (!(radius > 0) || strength == 0) continue;
     c.radius2 = radius * radius;
     c.strength = strength / (c.radius2 * c.radius2);
+    // A little deeper, so that rounding cannot take it below.
+    c.full = threshold > 0 && strength > 0 ? (1 + 1e-9) * std::sqrt(threshold / c.strength)
+                                           : c.radius2;
     Transform placement = Transform::translate(from);
     Bounds3 reach{dvec3(-radius), dvec3(radius)};
     Bounds3 seen = reach;
@@ -132,6 +154,7 @@ std::vector<BlobComponent> blob_components(std::span<const double> list) {
       }
     }
     c.to_own = placement.backward;
+    c.plain = !rod && (kind & 2U) == 0;
     c.reach = reach.transformed(placement.forward);
     if (strength > 0) c.seen = around_middle;
     all.push_back(c);

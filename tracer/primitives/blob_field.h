@@ -5,8 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "base/bounds.h"
+#include "base/ray.h"
 #include "base/transform.h"
-#include "tracer/accel/box_tree.h"
 
 namespace durer::tracer {
 
@@ -19,6 +20,9 @@ struct BlobStretch {
   double top;
   double bend;
   double strength;
+  // Where this component alone reaches the threshold; nowhere if begin > end.
+  double full_begin;
+  double full_end;
 
   [[nodiscard]] double root_at(double t) const {
     return top - bend * ((t - middle) * (t - middle));
@@ -36,21 +40,26 @@ struct BlobComponent {
   double radius2 = 1;
   double length = -1;   // negative: a ball
   double strength = 1;  // of the field's square root, over radius⁴
+  double full = 0;      // the root of the field at which it reaches the threshold by itself
   std::uint32_t texture = 0;
+  bool plain = false;  // a ball that is only moved
   Bounds3 reach;  // in the blob's space
   Bounds3 seen;   // the box that the oracle makes of it, if it adds to the field
 
   [[nodiscard]] double field(dvec3 p) const;
   /// How the field falls, in the blob's space.
   [[nodiscard]] dvec3 fall(dvec3 p) const;
-  void append_stretches(const Ray& ray, std::vector<BlobStretch>& out) const;
+  /// Appends the stretches within t_from…t_to.
+  void append_stretches(const Ray& ray, double t_from, double t_to,
+                        std::vector<BlobStretch>& out) const;
 
  private:
   [[nodiscard]] dvec3 from_axis(dvec3 own) const;
 };
 
 /// Components from the operands that the language leaves: `kind, centre…` as blob.cpp lays out.
-[[nodiscard]] std::vector<BlobComponent> blob_components(std::span<const double> list);
+[[nodiscard]] std::vector<BlobComponent> blob_components(std::span<const double> list,
+                                                        double threshold);
 
 /// How many numbers the component takes that begins `list`; 0 if it is not whole.
 [[nodiscard]] std::size_t blob_component_size(std::span<const double> list);

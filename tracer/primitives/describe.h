@@ -51,7 +51,7 @@ inline std::optional<ShapeRef> place_object(const PrimitiveType& type, TypeStore
   if (type.place_whole != nullptr) {
     return type.place_whole(stores, object, around, to_world, inverted);
   }
-  return type.place(stores, object.args, to_world, inverted);
+  return type.place(stores, {object.args.data(), object.args.size()}, to_world, inverted);
 }
 
 /// One operand as a member of P.

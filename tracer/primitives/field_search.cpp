@@ -86,9 +86,9 @@ void FieldSearch::walk(double t0, double t1) {
       } else if (link.state() < State::whole) {
         examine(link.detail(), line, t0, now.end);
       } else {
-        if (link.state() == State::whole) link = field_.split(*now.cell, link);
         const int k = link.axis();
         const std::size_t near = nearer[static_cast<std::size_t>(k)];
+        if (link.state() == State::whole) link = field_.split(*now.cell, link, near);
         const FieldHalves& halves = link.halves();
         const double beginning = std::max(t0, t_from_);
         const double middle = (halves.plane - ray_.o[k]) * inverse[k];
@@ -267,12 +267,12 @@ void FieldSearch::resolve(Piece piece, int depth) {
   }
   if (depth % halvings == halvings - 1 || !piece.slope.is_bounded()) {
     const Trend trend = trend_over(piece.a, piece.b);
-    if (!trend.v.nan) {
+    if (const Interval range = trend.range(); !range.nan) {
       const double threshold = field_.threshold();
-      if (before == after && (trend.v.lo > threshold || trend.v.hi <= threshold)) return;
+      if (before == after && (range.lo > threshold || range.hi <= threshold)) return;
       Interval slope;
       for (std::size_t k = 0; k < 3; ++k) {
-        slope += trend_detail::product(trend.d[k], ray_.d[static_cast<int>(k)]);
+        slope += trend_detail::product(trend.slope(k), ray_.d[static_cast<int>(k)]);
       }
       if (!slope.nan) {
         piece.slope = narrowed(piece.slope, slope);

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "functions/waves.h"
 
 namespace durer::tracer {
 namespace {
@@ -11,7 +14,7 @@ using functions::Function;
 using State = FieldLink::State;
 
 /// Slopes are known well if they vary by less than this share of the gradient.
-constexpr double smoothness = 0.35;
+constexpr double smoothness = 0.5;
 
 /// The least float that is not below `v`.
 float rounded_up(double v) {
@@ -53,11 +56,11 @@ int axis_to_halve(const Trend& trend, const dvec3& half) {
   double most = -1;
   bool known = true;
   for (int k = 0; k < 3; ++k) {
-    const Interval& d = trend.d[static_cast<std::size_t>(k)];
-    known = known && !d.nan && d.is_bounded();
+    const Interval d = trend.slope(static_cast<std::size_t>(k));
+    known = known && d.is_bounded();
   }
   for (int k = 0; k < 3; ++k) {
-    const Interval& d = trend.d[static_cast<std::size_t>(k)];
+    const Interval d = trend.slope(static_cast<std::size_t>(k));
     const double steepest =
         known ? std::max(std::abs(d.lo), std::abs(d.hi)) + 2 * (d.hi - d.lo) : 1;
     if (steepest * half[k] > most) {
@@ -86,12 +89,13 @@ functions::Workspace& function_workspace(functions::NoiseGenerator generator) {
 
 FunctionField::FunctionField(functions::FunctionRef function, double threshold, const Bounds3& box,
                              functions::NoiseGenerator generator)
-    : function_(std::move(function)),
+    : function_(std::make_shared<const functions::Function>(functions::with_waves(*function))),
       threshold_(threshold),
       box_(box),
       generator_(generator),
       has_bounds_(can_be_bounded(*function_)) {
   if (!has_bounds_) return;
+  trends_.emplace(function_);
   root_detail_.centre = centre();
   root_detail_.half = half();
   root_detail_.tape = function_.get();
@@ -100,14 +104,14 @@ FunctionField::FunctionField(functions::FunctionRef function, double threshold, 
 
 FunctionField::~FunctionField() { delete_halves(root_); }
 
-FieldLink FunctionField::split(const FieldCell& cell, FieldLink link) const {
+FieldLink FunctionField::split(const FieldCell& cell, FieldLink link, std::size_t next) const {
   functions::Workspace& workspace = function_workspace(generator_);
   auto made = std::make_unique<FieldHalves>();
   const FieldDetail& parent = link.detail();
   const int k = link.axis();
   made->plane = parent.centre[k];
   const double bound = load(cell.above);
-  for (std::size_t i = 0; i < 2; ++i) {
+  for (const std::size_t i : {1 - next, next}) {  // what is examined last is remembered
     FieldDetail& part = made->details[i];
     part = parent;
     part.half[k] *= 0.5;
@@ -176,25 +180,28 @@ void FunctionField::examine(FieldCell& cell, FieldDetail& detail,
   const dvec3& c = detail.centre;
   detail.cell = &cell;
   // A hair wider, because the ray's points are rounded.
-  const dvec3 reach = detail.half * (1 + 1e-9) + dvec3(1e-13 * glm::length(c));
+  const dvec3 farthest = glm::max(glm::abs(box_.lo), glm::abs(box_.hi));
+  const dvec3 reach = detail.half * (1 + 1e-9) + 1e-13 * (farthest.x + farthest.y + farthest.z);
   const std::array<Interval, 3> box{Interval{c.x - reach.x, c.x + reach.x},
                                     Interval{c.y - reach.y, c.y + reach.y},
                                     Interval{c.z - reach.z, c.z + reach.z}};
   const auto set = [&](State state, int axis = 0) {
     cell.link.store({state, axis, &detail}, std::memory_order_relaxed);
   };
-  const Trend trend = functions::evaluate_trend(*detail.tape, box, workspace);
-  if (!trend.v.nan) {
-    if (trend.v.hi <= threshold_) return set(State::inside);
-    if (trend.v.lo > threshold_) return set(State::outside);
+  thread_local functions::BoxTrends::Memory memory;
+  const Trend trend = (*trends_)(box, workspace, memory);
+  const Interval range = trend.range();
+  if (!range.nan) {
+    if (range.hi <= threshold_) return set(State::inside);
+    if (range.lo > threshold_) return set(State::outside);
   }
   dvec3 slope(0.0);
   dvec3 spread(0.0);
-  bool known = !trend.v.nan;
+  bool known = !range.nan;
   for (int k = 0; k < 3; ++k) {
     const auto i = static_cast<std::size_t>(k);
-    const Interval& d = trend.d[i];
-    known = known && !d.nan && d.is_bounded();
+    const Interval d = trend.slope(i);
+    known = known && d.is_bounded();
     if (!known) break;
     cell.slope[i] = static_cast<float>(d.mid());
     slope[k] = static_cast<double>(cell.slope[i]);

@@ -6,8 +6,10 @@
 #include <array>
 #include <atomic>
 #include <memory>
+#include <optional>
 
 #include "base/bounds.h"
+#include "functions/box_trends.h"
 #include "functions/evaluate.h"
 
 namespace durer::tracer {
@@ -103,7 +105,8 @@ class FunctionField {
   FunctionField(const FunctionField&) = delete;
   FunctionField& operator=(const FunctionField&) = delete;
 
-  [[nodiscard]] const functions::Function& function() const { return *function_; }
+  /// The function as it is evaluated: in the last bits not the one that was given.
+  [[nodiscard]] const functions::FunctionRef& function() const { return function_; }
   [[nodiscard]] double threshold() const { return threshold_; }
   [[nodiscard]] const Bounds3& box() const { return box_; }
   [[nodiscard]] functions::NoiseGenerator generator() const { return generator_; }
@@ -111,8 +114,9 @@ class FunctionField {
   [[nodiscard]] const FieldCell& root() const { return root_; }
   [[nodiscard]] dvec3 centre() const { return (box_.lo + box_.hi) * 0.5; }
   [[nodiscard]] dvec3 half() const { return (box_.hi - box_.lo) * 0.5; }
-  /// Halves a whole cell; gives its link from then on.
-  FieldLink split(const FieldCell& cell, FieldLink link) const;
+  /// Halves a whole cell; gives its link from then on. `next` is the half that is likely to be split
+  /// soon: it does not change the result.
+  FieldLink split(const FieldCell& cell, FieldLink link, std::size_t next) const;
 
   /// True if the function can be bounded over boxes at all.
   [[nodiscard]] bool has_bounds() const { return has_bounds_; }
@@ -122,6 +126,7 @@ class FunctionField {
   [[nodiscard]] bool tighten(const FieldDetail& detail) const;
 
   functions::FunctionRef function_;
+  std::optional<functions::BoxTrends> trends_;  // if it has bounds
   double threshold_;
   Bounds3 box_;
   functions::NoiseGenerator generator_;

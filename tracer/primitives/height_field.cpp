@@ -208,7 +208,7 @@ scene::Object sample(bool smooth) {
   for (std::uint32_t k = 0; k < 63; ++k)
     field->heights.push_back(static_cast<std::uint16_t>(k * k * 7919 % 50000));
   scene::Object object;
-  object.args = {0, smooth ? 1.0 : 0.0};
+  object.args = std::vector<double>{0, smooth ? 1.0 : 0.0};
   object.extras.edit().heights = std::move(field);
   return object;
 }

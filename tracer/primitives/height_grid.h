@@ -37,7 +37,8 @@ class HeightGrid {
   /// above or below all of it. Both return false to stop.
   template <typename Cell, typename Skip>
   void walk(const Ray& ray, double t_in, double t_out, Cell&& cell, Skip&& skip) const {
-    descend(ray, static_cast<std::uint32_t>(levels_.size() - 1), 0, 0, t_in, t_out, cell, skip);
+    const Slanted slanted{ray, 1 / ray.d.x, 1 / ray.d.z};
+    descend(slanted, static_cast<std::uint32_t>(levels_.size() - 1), 0, 0, t_in, t_out, cell, skip);
   }
 
  private:
@@ -52,8 +53,14 @@ class HeightGrid {
     std::vector<Extremes> cells;
   };
 
+  struct Slanted {
+    const Ray& ray;
+    double inverse_x;
+    double inverse_z;
+  };
+
   template <typename Cell, typename Skip>
-  bool descend(const Ray& ray, std::uint32_t level, std::uint32_t i, std::uint32_t j, double t_in,
+  bool descend(const Slanted& slanted, std::uint32_t level, std::uint32_t i, std::uint32_t j, double t_in,
                double t_out, Cell& cell, Skip& skip) const;
 
   std::uint32_t columns_;
@@ -63,50 +70,54 @@ class HeightGrid {
 };
 
 template <typename Cell, typename Skip>
-bool HeightGrid::descend(const Ray& ray, std::uint32_t level, std::uint32_t i, std::uint32_t j,
-                         double t_in, double t_out, Cell& cell, Skip& skip) const {
-  const Level& here = levels_[level];
-  if (i >= here.columns || j >= here.rows) return true;
-  const Extremes e = here.cells[static_cast<std::size_t>(j) * here.columns + i];
-  const double y_in = ray.o.y + t_in * ray.d.y;
-  const double y_out = ray.o.y + t_out * ray.d.y;
-  if (y_in > e.high && y_out > e.high) return skip(t_in, false);
-  if (y_in < e.low && y_out < e.low) return skip(t_in, true);
-  if (level == 0) return cell(i, j, t_in, t_out);
-  // The lines between the four blocks below.
-  const double size = static_cast<double>(1U << (level - 1));
-  const double x_mid = (2 * i + 1) * size;
-  const double z_mid = (2 * j + 1) * size;
-  const double tx = (x_mid - ray.o.x) / ray.d.x;
-  const double tz = (z_mid - ray.o.z) / ray.d.z;
-  // On which side the piece begins; it changes sides at tx and tz, if these lie within.
-  bool right = tx > t_in ? ray.d.x < 0 : ray.d.x > 0;
-  bool far = tz > t_in ? ray.d.z < 0 : ray.d.z > 0;
-  if (ray.d.x == 0) right = ray.o.x >= x_mid;
-  if (ray.d.z == 0) far = ray.o.z >= z_mid;
-  const bool cuts_x = ray.d.x != 0 && tx > t_in && tx < t_out;
-  const bool cuts_z = ray.d.z != 0 && tz > t_in && tz < t_out;
-  double t = t_in;
-  const bool x_first = cuts_x && !(cuts_z && tz < tx);
-  const auto go = [&](double until) {
-    const bool on = descend(ray, level - 1, 2 * i + (right ? 1 : 0), 2 * j + (far ? 1 : 0), t,
-                            until, cell, skip);
-    t = until;
-    return on;
-  };
-  if (cuts_x && x_first) {
-    if (!go(tx)) return false;
-    right = !right;
+bool HeightGrid::descend(const Slanted& slanted, std::uint32_t level, std::uint32_t i,
+                         std::uint32_t j, double t_in, double t_out, Cell& cell,
+                         Skip& skip) const {
+  const Ray& ray = slanted.ray;
+  for (;; --level) {
+    const Level& here = levels_[level];
+    if (i >= here.columns || j >= here.rows) return true;
+    const Extremes e = here.cells[static_cast<std::size_t>(j) * here.columns + i];
+    const double y_in = ray.o.y + t_in * ray.d.y;
+    const double y_out = ray.o.y + t_out * ray.d.y;
+    if (y_in > e.high && y_out > e.high) return skip(t_in, false);
+    if (y_in < e.low && y_out < e.low) return skip(t_in, true);
+    if (level == 0) return cell(i, j, t_in, t_out);
+    // The lines between the four blocks below.
+    const double size = static_cast<double>(1U << (level - 1));
+    const double x_mid = (2 * i + 1) * size;
+    const double z_mid = (2 * j + 1) * size;
+    const double tx = (x_mid - ray.o.x) * slanted.inverse_x;
+    const double tz = (z_mid - ray.o.z) * slanted.inverse_z;
+    // On which side the piece begins; it changes sides at tx and tz, if these lie within.
+    bool right = tx > t_in ? ray.d.x < 0 : ray.d.x > 0;
+    bool far = tz > t_in ? ray.d.z < 0 : ray.d.z > 0;
+    if (ray.d.x == 0) right = ray.o.x >= x_mid;
+    if (ray.d.z == 0) far = ray.o.z >= z_mid;
+    const bool cuts_x = ray.d.x != 0 && tx > t_in && tx < t_out;
+    const bool cuts_z = ray.d.z != 0 && tz > t_in && tz < t_out;
+    const bool x_first = cuts_x && !(cuts_z && tz < tx);
+    const auto go = [&](double until) {
+      const bool on = descend(slanted, level - 1, 2 * i + (right ? 1 : 0), 2 * j + (far ? 1 : 0),
+                              t_in, until, cell, skip);
+      t_in = until;
+      return on;
+    };
+    if (cuts_x && x_first) {
+      if (!go(tx)) return false;
+      right = !right;
+    }
+    if (cuts_z) {
+      if (!go(tz)) return false;
+      far = !far;
+    }
+    if (cuts_x && !x_first) {
+      if (!go(tx)) return false;
+      right = !right;
+    }
+    i = 2 * i + (right ? 1 : 0);  // the last piece, in a turn of the loop
+    j = 2 * j + (far ? 1 : 0);
   }
-  if (cuts_z) {
-    if (!go(tz)) return false;
-    far = !far;
-  }
-  if (cuts_x && !x_first) {
-    if (!go(tx)) return false;
-    right = !right;
-  }
-  return go(t_out);
 }
 
 /// The grid of a field; made once, as long as anybody holds it.

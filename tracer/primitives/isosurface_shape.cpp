@@ -14,7 +14,7 @@ IsosurfaceData::IsosurfaceData(std::shared_ptr<const scene::Isosurface> s,
                                functions::NoiseGenerator generator)
     : surface(std::move(s)),
       field(surface->function, surface->threshold, surface->container.bounds(), generator),
-      differences(surface->function) {}
+      differences(field.function()) {}
 
 void IsosurfaceData::note_slope(double slope) const {
   double known = steepest.load(std::memory_order_relaxed);
@@ -38,7 +38,7 @@ bool IsosurfaceShape::contains(dvec3 p) const {
   const scene::Isosurface& s = *data_->surface;
   if (!tracer::contains(s.container, p)) return false;
   functions::Workspace& w = function_workspace(data_->field.generator());
-  return functions::evaluate(*s.function, std::array{p.x, p.y, p.z}, w) <= s.threshold;
+  return functions::evaluate(*data_->field.function(), std::array{p.x, p.y, p.z}, w) <= s.threshold;
 }
 
 /// The oracle's: differences over a step as long as the accuracy, which a coarse accuracy smooths.

@@ -5,10 +5,92 @@
 
 #include "tracer/accel/box_tree.h"
 #include "tracer/primitives/describe.h"
-#include "tracer/primitives/julia_set.h"
+#include "tracer/primitives/julia_lanes.h"
+#include "tracer/primitives/julia_orbit.h"
 
 namespace durer::tracer {
 namespace {
+
+/// Looks along one line. Near the set steps are small and the same: then several are looked at
+/// together, before it is known that they will be taken.
+class JuliaLine {
+ public:
+  /// `d` is of unit length.
+  JuliaLine(const JuliaSet& set, dvec3 o, dvec3 d) : set_(set), o_(o), d_(d) {}
+
+  /// At o + s · d, `last` being the step that led there.
+  [[nodiscard]] JuliaSet::Look look(double s, double last) {
+    if (next_ < julia_lanes && ahead_[next_] == s) return ahead(next_++);
+    if (last != set_.smallest_step || !set_.is_polynomial()) return set_.look(o_ + s * d_, d_);
+    for (double& at : ahead_) {
+      at = s;
+      s += last;
+    }
+    julia_orbits(set_, o_, d_, ahead_, orbits_);
+    next_ = 1;
+    return ahead(0);
+  }
+
+  /// Where the set begins or ends between a and b: the end that lies inside.
+  [[nodiscard]] double boundary(double a, double b, bool inside_a) const {
+    if (!set_.is_polynomial()) {
+      while (b - a > nearness) {
+        const double s = 0.5 * (a + b);
+        (set_.contains(o_ + s * d_) == inside_a ? a : b) = s;
+      }
+      return inside_a ? a : b;
+    }
+    while (b - a > nearness) halve_thrice(a, b, inside_a);
+    return inside_a ? a : b;
+  }
+
+ private:
+  static constexpr double nearness = 1e-7;
+
+  [[nodiscard]] JuliaSet::Look ahead(std::size_t i) const {
+    const double escape = orbits_.escape[i];
+    if (escape < 0) return {true, set_.smallest_step};
+    const auto step = static_cast<std::uint32_t>(escape);
+    if (!set_.hypercomplex) {
+      return {false, set_.step_quaternion(step, orbits_.product[0][i], orbits_.q[0][i])};
+    }
+    const auto number = [i](const std::array<JuliaOrbits::Lanes, 4>& of) {
+      return four(HypercomplexOrbit<double>{of[0][i], of[1][i], of[2][i], of[3][i]});
+    };
+    return {false, set_.step_hypercomplex(step, number(orbits_.product), number(orbits_.q), d_)};
+  }
+
+  /// All that three halvings may ask for is found at once: node n of the tree of middles has the
+  /// halves 2n and 2n + 1.
+  void halve_thrice(double& a, double& b, bool inside_a) const {
+    JuliaOrbits::Lanes middle{};
+    std::array<double, julia_lanes> low{};
+    std::array<double, julia_lanes> high{};
+    low[1] = a;
+    high[1] = b;
+    for (std::size_t n = 1; n < julia_lanes; ++n) {
+      middle[n] = 0.5 * (low[n] + high[n]);
+      if (2 * n >= julia_lanes) continue;
+      low[2 * n] = low[n];
+      high[2 * n] = low[2 * n + 1] = middle[n];
+      high[2 * n + 1] = high[n];
+    }
+    middle[0] = middle[1];
+    const unsigned inside = julia_contains(set_, o_, d_, middle);
+    for (std::size_t n = 1; n < julia_lanes && b - a > nearness;) {
+      const bool beyond = ((inside >> n & 1U) != 0) == inside_a;
+      (beyond ? a : b) = middle[n];
+      n = 2 * n + (beyond ? 1 : 0);
+    }
+  }
+
+  const JuliaSet& set_;
+  dvec3 o_;
+  dvec3 d_;
+  JuliaOrbits::Lanes ahead_;
+  JuliaOrbits orbits_;
+  std::size_t next_ = julia_lanes;  // in `ahead_`: what may be asked for next
+};
 
 // A three-dimensional slice of a Julia set (objects §10.12). There is no equation to solve: rays
 // walk in steps that the orbit says are safe, or at least as wide as `precision` tells. What is
@@ -37,11 +119,12 @@ struct JuliaFractal {
     double s = std::max(middle - std::sqrt(half2), from * length);
     if (!(s < end)) return;
     constexpr double least = 1e-7;
-    JuliaSet::Look look = set.look(ray.o + s * d, d);
+    JuliaLine line(set, ray.o, d);
+    JuliaSet::Look look = line.look(s, 0);
     if (look.inside) {
       const double start = s;
       s += 2 * least;
-      look = set.look(ray.o + s * d, d);
+      look = line.look(s, 0);
       if (look.inside && !f(start / length, true, false)) return;
     }
     while (s < enough) {
@@ -52,9 +135,9 @@ struct JuliaFractal {
         return;
       }
       const bool was_inside = look.inside;
-      look = set.look(ray.o + s * d, d);
+      look = line.look(s, look.step);
       if (look.inside == was_inside) continue;
-      if (!f(boundary(ray.o, d, before, s, was_inside) / length, look.inside, true)) return;
+      if (!f(line.boundary(before, s, was_inside) / length, look.inside, true)) return;
     }
   }
   void crossings(const Ray& ray, Crossings& out) const {
@@ -71,16 +154,6 @@ struct JuliaFractal {
       return t < t_from;
     });
     return best;
-  }
-
- private:
-  /// Where the set begins or ends between a and b: the end that lies inside.
-  [[nodiscard]] double boundary(dvec3 o, dvec3 d, double a, double b, bool inside_a) const {
-    while (b - a > 1e-7) {
-      const double s = 0.5 * (a + b);
-      (set.contains(o + s * d) == inside_a ? a : b) = s;
-    }
-    return inside_a ? a : b;
   }
 };
 

@@ -1,9 +1,12 @@
-#include "tracer/primitives/julia_set.h"
+#include "tracer/primitives/julia_orbit.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
+#include <type_traits>
 
 namespace durer::tracer {
 namespace {
@@ -86,6 +89,23 @@ dvec3 gradient(Four p, Four q) {
           -p.z * q.x - p.w * q.y + p.x * q.z + p.y * q.w};
 }
 
+/// k to the power of -(i + 1).
+template <int k>
+double shrunk(std::uint32_t i) {
+  static constexpr std::array<double, 64> known = [] {
+    std::array<double, 64> all{};
+    double scale = 1;
+    for (double& v : all) v = scale /= k;
+    return all;
+  }();
+  return i < known.size() ? known[i] : std::pow(k, -1.0 - i);
+}
+/// A number that is not less than the logarithm of v > 0.
+double above_log(double v) {
+  const auto exponent = static_cast<int>(std::bit_cast<std::uint64_t>(v) >> 52) - 1023;
+  return (exponent + 1) * std::numbers::ln2;
+}
+
 }  // namespace
 
 Four JuliaSet::next(Four q) const {
@@ -116,6 +136,15 @@ Four JuliaSet::start(dvec3 p) const {
 }
 
 bool JuliaSet::contains(dvec3 p) const {
+  if (is_polynomial()) {
+    return with_orbit(*this, p.x, p.y, p.z, [&](auto q, auto step) {
+      for (std::uint32_t i = 0; i < iterations; ++i) {
+        if (q.norm2() > escape2) return false;
+        step(q);
+      }
+      return true;
+    });
+  }
   Four q = start(p);
   for (std::uint32_t i = 0; i < iterations; ++i) {
     if (norm2(q) > escape2) return false;
@@ -125,45 +154,52 @@ bool JuliaSet::contains(dvec3 p) const {
 }
 
 JuliaSet::Look JuliaSet::look(dvec3 p, dvec3 d) const {
-  const Four q = at(p);
-  return hypercomplex ? look_hypercomplex(q, d) : look_quaternion(q);
-}
-
-JuliaSet::Look JuliaSet::look_quaternion(Four q) const {
-  const double k = function == JuliaFunction::sqr ? 2 : 3;
-  double scale = 1 / k;
-  double product2 = 1;  // of the squared norms so far
-  for (std::uint32_t i = 0; i < iterations; ++i) {
-    const double n2 = norm2(q);
-    if (n2 > escape2) {
-      return {false, std::max(scale / std::sqrt(product2) * std::log(n2), smallest_step)};
+  if (!is_polynomial()) return look_function(at(p), d);
+  return with_orbit(*this, p.x, p.y, p.z, [&](auto q, auto step) {
+    auto product = q.first_product();
+    for (std::uint32_t i = 0; i < iterations; ++i) {
+      const double n2 = q.norm2();
+      if (n2 > escape2) {
+        if constexpr (std::is_same_v<decltype(q), QuaternionOrbit<double>>) {
+          return Look{false, step_quaternion(i, product, n2)};
+        } else {
+          return Look{false, step_hypercomplex(i, four(product), four(q), d)};
+        }
+      }
+      product = q.multiplied(product, n2, i);
+      step(q);
     }
-    product2 *= n2;
-    scale /= k;
-    q = next(q);
-  }
-  return {true, smallest_step};
+    return Look{true, smallest_step};
+  });
 }
 
-JuliaSet::Look JuliaSet::look_hypercomplex(Four q, dvec3 d) const {
+JuliaSet::Look JuliaSet::look_function(Four q, dvec3 d) const {
   Four product = q;
-  double power2 = 1;
   for (std::uint32_t i = 0; i < iterations; ++i) {
-    const double n2 = norm2(q);
-    if (n2 > escape2) {
-      dvec3 g = gradient(product, q);
-      if (function == JuliaFunction::sqr) g *= i == 0 ? 2 : power2;
-      const double along = glm::dot(g, d);
-      const double slope = -2 * along;
-      if (!(along < -1e-8)) return {false, smallest_step};
-      const bool fair = n2 > smallest_step * slope && n2 < 30 * smallest_step * slope;
-      return {false, fair ? n2 / slope : smallest_step};
-    }
+    if (norm2(q) > escape2) return {false, step_hypercomplex(i, product, q, d)};
     if (i > 0) product = times(product, factor(q));
-    power2 *= 2;
     q = next(q);
   }
   return {true, smallest_step};
+}
+
+double JuliaSet::step_quaternion(std::uint32_t i, double product2, double n2) const {
+  const double scale = function == JuliaFunction::sqr ? shrunk<2>(i) : shrunk<3>(i);
+  // Mostly a bound of the logarithm tells that the step would be too small.
+  const double longest = scale * above_log(n2);
+  if (longest * longest < 0.999 * smallest_step * smallest_step * product2) return smallest_step;
+  return std::max(scale / std::sqrt(product2) * std::log(n2), smallest_step);
+}
+
+double JuliaSet::step_hypercomplex(std::uint32_t i, Four product, Four q, dvec3 d) const {
+  const double n2 = norm2(q);
+  dvec3 g = gradient(product, q);
+  if (function == JuliaFunction::sqr) g *= i == 0 ? 2 : std::ldexp(1.0, static_cast<int>(i));
+  const double along = glm::dot(g, d);
+  const double slope = -2 * along;
+  if (!(along < -1e-8)) return smallest_step;
+  const bool fair = n2 > smallest_step * slope && n2 < 30 * smallest_step * slope;
+  return fair ? n2 / slope : smallest_step;
 }
 
 dvec3 JuliaSet::normal_quaternion(Four q) const {

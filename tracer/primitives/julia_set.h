@@ -64,13 +64,21 @@ struct JuliaSet {
     double step;
   };
   [[nodiscard]] Look look(dvec3 p, dvec3 d) const;
+  /// True if the function multiplies only: julia_orbit.h and julia_lanes.h are for these.
+  [[nodiscard]] bool is_polynomial() const {
+    return function == JuliaFunction::sqr || function == JuliaFunction::cube;
+  }
+  /// The step where an orbit of quaternions escapes after `i` steps, with squared norm n2; product2 is
+  /// that of the squared norms before.
+  [[nodiscard]] double step_quaternion(std::uint32_t i, double product2, double n2) const;
+  /// The same for hypercomplex numbers, `product` being that of the factors before.
+  [[nodiscard]] double step_hypercomplex(std::uint32_t i, Four product, Four q, dvec3 d) const;
   /// Out of the set, any length.
   [[nodiscard]] dvec3 normal(dvec3 p) const;
 
  private:
   [[nodiscard]] Four start(dvec3 p) const;
-  [[nodiscard]] Look look_quaternion(Four q) const;
-  [[nodiscard]] Look look_hypercomplex(Four q, dvec3 d) const;
+  [[nodiscard]] Look look_function(Four q, dvec3 d) const;
   [[nodiscard]] dvec3 normal_quaternion(Four q) const;
   [[nodiscard]] Four next(Four q) const;
   [[nodiscard]] Four factor(Four q) const;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "tracer/primitives/around_axis.h"
@@ -34,7 +35,7 @@ struct Lathe {
     const dvec2 q = onto_profile(p);
     if (q.x * q.x <= epsilon) return {0, 1, 0};
     const Arc& arc = profile.arc(part);
-    const dvec2 slope = arc.slope(arc.nearest_to(q));
+    const dvec2 slope = arc.slope_near(q);
     return {slope.y * p.x, -slope.x * q.x, slope.y * p.z};
   }
   [[nodiscard]] dvec2 uv(dvec3 p, std::uint32_t part) const {
@@ -50,22 +51,16 @@ struct Lathe {
       each_level_crossing(line, f);
       return;
     }
-    // The point at radius X, height Y lies between line and axis where this is negative.
-    const double all = 1 / (line.across2 + line.up * line.up);
-    const double a = line.across2 * all;
-    const double b = line.up * line.up * all;
-    profile.each_near([&](const Outline::Box& box) { return comes_near(line, box); },
-                      [&](std::uint32_t i) {
-                        const Arc& arc = profile.arc(i);
-                        switch (arc.degree) {
-                          case 1: each_root<1>(arc, i, line, a, b, f); break;
-                          case 2: each_root<2>(arc, i, line, a, b, f); break;
-                          default: each_root<3>(arc, i, line, a, b, f); break;
-                        }
-                      });
+    const Weights weights(line);
+    constexpr double endless = std::numeric_limits<double>::infinity();
+    profile.each_near(
+        [&](const Outline::Box& box) { return comes_near(line, box, -endless, endless); },
+        [&](std::uint32_t i) {
+          each_root(profile.arc(i), line, weights, [&](double s) { f(s, i, true); });
+        });
     for (const dvec2 end : ends) {
       const double y = end.y - line.y;
-      if (a * (y * y) + b * line.near2 - b * (end.x * end.x) < 0) f(y / line.up, 0U, false);
+      if (weights.square(end.x, y, line) < 0) f(y / line.up, 0U, false);
     }
   }
   void crossings(const Ray& ray, Crossings& out) const {
@@ -86,13 +81,42 @@ struct Lathe {
   [[nodiscard]] std::optional<Nearest> nearest(const Ray& ray, double t_from, double t_to) const {
     const LineAroundY line(ray);
     std::optional<Nearest> best;
-    each_crossing(line, [&](double s, std::uint32_t part, bool visible) {
+    const auto take = [&](double s, std::uint32_t part) {
       const double t = line.middle + s;
-      if (!visible || !(t >= t_from) || !(t < t_to)) return;
+      if (!(t >= t_from) || !(t < t_to)) return;
       best = Nearest{t, part};
       t_to = t;
-    });
+    };
+    if (line.level()) {
+      const auto any_level = [&](double s, std::uint32_t part, bool) { take(s, part); };
+      each_level_crossing(line, any_level);
+      return best;
+    }
+    const Weights weights(line);
+    profile.each_near(
+        [&](const Outline::Box& box) {
+          return comes_near(line, box, t_from - line.middle, t_to - line.middle);
+        },
+        [&](std::uint32_t i) {
+          each_root(profile.arc(i), line, weights, [&](double s) { take(s, i); });
+        });
     return best;
+  }
+  /// Some crossing in the range.
+  [[nodiscard]] std::optional<Nearest> any(const Ray& ray, double t_from, double t_to) const {
+    const LineAroundY line(ray);
+    if (line.level()) return nearest(ray, t_from, t_to);
+    const Weights weights(line);
+    const double s_from = t_from - line.middle;
+    const double s_to = t_to - line.middle;
+    bool found = false;
+    profile.each_near(
+        [&](const Outline::Box& box) { return !found && comes_near(line, box, s_from, s_to); },
+        [&](std::uint32_t i) {
+          if (!found) found = crosses(profile.arc(i), line, weights, s_from, s_to);
+        });
+    if (!found) return std::nullopt;
+    return Nearest{t_from, 0};
   }
 
  private:
@@ -117,37 +141,92 @@ struct Lathe {
     out.erase(end, out.end());
   }
 
-  /// False if the line is elsewhere wherever it is as high as the box.
-  static bool comes_near(const LineAroundY& line, const Outline::Box& box) {
+  /// The point at radius x, height y above the line's middle lies between line and axis where
+  /// a·y² + b·near2 - b·x² is negative.
+  struct Weights {
+    double a;
+    double b;
+    explicit Weights(const LineAroundY& line) {
+      const double all = 1 / (line.across2 + line.up * line.up);
+      a = line.across2 * all;
+      b = line.up * line.up * all;
+    }
+    [[nodiscard]] double square(double x, double y, const LineAroundY& line) const {
+      return a * (y * y) + b * line.near2 - b * (x * x);
+    }
+  };
+
+  /// False if the line is elsewhere wherever it is as high as the box, or there at no s in
+  /// s_from…s_to.
+  static bool comes_near(const LineAroundY& line, const Outline::Box& box, double s_from,
+                         double s_to) {
     const double s1 = (box.middle.y - box.half.y - line.y) / line.up;
     const double s2 = (box.middle.y + box.half.y - line.y) / line.up;
+    constexpr double slack = 1e-9;
     const double farthest = std::max(std::abs(s1), std::abs(s2));
+    if (std::max(s1, s2) + slack * farthest < s_from ||
+        std::min(s1, s2) - slack * farthest > s_to) {
+      return false;
+    }
     const double nearest = (s1 < 0) != (s2 < 0) ? 0 : std::min(std::abs(s1), std::abs(s2));
     const double outer = std::abs(box.middle.x) + box.half.x;
     const double inner = std::max(std::abs(box.middle.x) - box.half.x, 0.0);
-    constexpr double slack = 1e-9;
     return line.distance2(nearest) <= outer * outer * (1 + slack) &&
            line.distance2(farthest) * (1 + slack) >= inner * inner;
   }
 
-  template <std::size_t N, typename F>
-  void each_root(const Arc& arc, std::uint32_t part, const LineAroundY& line, double a, double b,
-                 F& f) const {
+  /// Weights::square along the arc.
+  template <std::size_t N>
+  static Bernstein<2 * N> square(const Arc& arc, const LineAroundY& line, const Weights& weights) {
     Bernstein<N> x{};
     Bernstein<N> y{};
     for (std::size_t i = 0; i <= N; ++i) x[i] = arc.c[i].x, y[i] = arc.c[i].y - line.y;
     const auto x2 = product<N, N>(x, x);
     const auto y2 = product<N, N>(y, y);
     Bernstein<2 * N> sum{};
-    for (std::size_t i = 0; i <= 2 * N; ++i) sum[i] = a * y2[i] + b * line.near2 - b * x2[i];
-    for (const double w : sign_changes<2 * N>(sum)) {
-      const dvec2 q = arc.at(w);
-      double s = (q.y - line.y) / line.up;
-      // Of lines that hardly climb, the radius tells more.
-      if (b < 1e-4)
-        s = std::copysign(std::sqrt(std::max(q.x * q.x - line.near2, 0.0) / line.across2), s);
-      f(s, part, true);
+    for (std::size_t i = 0; i <= 2 * N; ++i) {
+      sum[i] = weights.a * y2[i] + weights.b * line.near2 - weights.b * x2[i];
     }
+    return sum;
+  }
+  /// Calls f(s) for the crossings with the arc.
+  template <typename F>
+  static void each_root(const Arc& arc, const LineAroundY& line, const Weights& weights, F&& f) {
+    const auto roots = [&](const auto& found) {
+      for (const double w : found) f(place(arc.at(w), line, weights));
+    };
+    switch (arc.degree) {
+      case 1: roots(sign_changes<2>(square<1>(arc, line, weights))); break;
+      case 2: roots(sign_changes<4>(square<2>(arc, line, weights))); break;
+      default: roots(sign_changes<6>(square<3>(arc, line, weights))); break;
+    }
+  }
+  static double place(dvec2 q, const LineAroundY& line, const Weights& weights) {
+    const double s = (q.y - line.y) / line.up;
+    // Of lines that hardly climb, the radius tells more.
+    if (weights.b >= 1e-4) return s;
+    return std::copysign(std::sqrt(std::max(q.x * q.x - line.near2, 0.0) / line.across2), s);
+  }
+
+  static bool crosses(const Arc& arc, const LineAroundY& line, const Weights& weights,
+                      double s_from, double s_to) {
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(arc.degree); ++i) {
+      const double s = (arc.c[i].y - line.y) / line.up;
+      least = std::min(least, s);
+      most = std::max(most, s);
+    }
+    if (weights.b >= 1e-4 && least >= s_from && most < s_to) {  // wherever it is, it counts
+      switch (arc.degree) {
+        case 1: return has_sign_change<2>(square<1>(arc, line, weights));
+        case 2: return has_sign_change<4>(square<2>(arc, line, weights));
+        default: return has_sign_change<6>(square<3>(arc, line, weights));
+      }
+    }
+    bool found = false;
+    each_root(arc, line, weights, [&](double s) { found = found || (s >= s_from && s < s_to); });
+    return found;
   }
 
   template <typename F>

@@ -31,36 +31,44 @@ dvec2 Arc::slope(double w) const {
   return static_cast<double>(degree) * (p[1] - p[0]);
 }
 
+namespace {
+
 // Where the distance has an extremum, (P(w) - p) · P'(w) vanishes.
-double Arc::nearest_to(dvec2 p) const {
-  Bernstein<3> x{};
-  Bernstein<3> y{};
-  Arc cubic = *this;
-  for (; cubic.degree < 3; ++cubic.degree) {
-    const auto n = static_cast<std::size_t>(cubic.degree) + 1;
-    const std::array<dvec2, 4> old = cubic.c;
-    cubic.c[n] = old[n - 1];
-    for (std::size_t i = 1; i < n; ++i) {
-      cubic.c[i] =
-          old[i] + (old[i - 1] - old[i]) * (static_cast<double>(i) / static_cast<double>(n));
-    }
+template <std::size_t N>
+double nearest_on(const Arc& arc, dvec2 p) {
+  std::array<Bernstein<N>, 2> gap{};
+  for (std::size_t i = 0; i <= N; ++i) gap[0][i] = arc.c[i].x - p.x, gap[1][i] = arc.c[i].y - p.y;
+  Bernstein<2 * N - 1> slope{};
+  for (const Bernstein<N>& x : gap) {
+    const auto part = product<N, N - 1>(x, derivative<N>(x));
+    for (std::size_t i = 0; i < slope.size(); ++i) slope[i] += part[i];
   }
-  for (std::size_t i = 0; i < 4; ++i) x[i] = cubic.c[i].x - p.x, y[i] = cubic.c[i].y - p.y;
-  const Bernstein<2> dx{x[1] - x[0], x[2] - x[1], x[3] - x[2]};
-  const Bernstein<2> dy{y[1] - y[0], y[2] - y[1], y[3] - y[2]};
-  Bernstein<5> slope = product<3, 2>(x, dx);
-  const Bernstein<5> across = product<3, 2>(y, dy);
-  for (std::size_t i = 0; i < slope.size(); ++i) slope[i] += across[i];
   double best = 0;
-  double least = glm::dot(c[0] - p, c[0] - p);
+  double least = glm::dot(arc.c[0] - p, arc.c[0] - p);
   const auto consider = [&](double w) {
-    const dvec2 gap = at(w) - p;
-    if (glm::dot(gap, gap) < least) least = glm::dot(gap, gap), best = w;
+    const dvec2 off = arc.at(w) - p;
+    if (glm::dot(off, off) < least) least = glm::dot(off, off), best = w;
   };
   consider(1);
-  for (const double w : sign_changes<5>(slope)) consider(w);
+  for (const double w : sign_changes<2 * N - 1>(slope)) consider(w);
   return best;
 }
+
+}  // namespace
+
+double Arc::nearest_to(dvec2 p) const {
+  switch (degree) {
+    case 1: {
+      const dvec2 way = c[1] - c[0];
+      const double length2 = glm::dot(way, way);
+      return length2 > 0 ? std::clamp(glm::dot(p - c[0], way) / length2, 0.0, 1.0) : 0;
+    }
+    case 2: return nearest_on<2>(*this, p);
+    default: return nearest_on<3>(*this, p);
+  }
+}
+
+dvec2 Arc::slope_near(dvec2 p) const { return degree == 1 ? c[1] - c[0] : slope(nearest_to(p)); }
 
 Outline::Outline(std::vector<Arc> arcs) : arcs_(std::move(arcs)) {
   if (arcs_.empty()) return;

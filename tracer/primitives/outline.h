@@ -28,6 +28,8 @@ struct Arc {
   [[nodiscard]] dvec2 slope(double w) const;
   /// The w in [0, 1] whose point is nearest to `p`.
   [[nodiscard]] double nearest_to(dvec2 p) const;
+  /// d/dw there.
+  [[nodiscard]] dvec2 slope_near(dvec2 p) const;
 
   /// Calls f(w) wherever the sign of `value(control point)`, a linear function, changes.
   template <typename Value, typename F>
@@ -98,6 +100,41 @@ class Outline {
           return std::abs(value(b.middle)) <= reach * (1 + 1e-9) + 1e-14 * std::abs(line.z);
         },
         [&](std::uint32_t i) { arcs_[i].each_sign_change(value, [&](double w) { f(i, w); }); });
+  }
+
+  /// Calls f(arc index, t) where the line o + t·d crosses an arc, in no order: for the crossings
+  /// with t_from <= t <= t_to and a few others. Returns whether the number of those before all of
+  /// these is odd. No root is sought for them: signs tell.
+  template <typename F>
+  bool each_crossing_within(dvec2 o, dvec2 d, double t_from, double t_to, F&& f) const {
+    const double unit = 1 / glm::dot(d, d);
+    const double slack = 1e-14 * (std::abs(o.x * d.y) + std::abs(o.y * d.x));
+    const auto beside = [&](dvec2 p) { return (p.x - o.x) * d.y - (p.y - o.y) * d.x; };
+    const auto place = [&](dvec2 p) { return ((p.x - o.x) * d.x + (p.y - o.y) * d.y) * unit; };
+    bool odd = false;
+    each_near(
+        [&](const Box& b) {
+          // By how much the values can differ from those in the middle of the box.
+          const double reach = std::abs(d.y) * b.half.x + std::abs(d.x) * b.half.y;
+          const double long_reach = (std::abs(d.x) * b.half.x + std::abs(d.y) * b.half.y) * unit;
+          return std::abs(beside(b.middle)) <= reach * (1 + 1e-9) + slack &&
+                 place(b.middle) - long_reach * (1 + 1e-9) <= t_to;
+        },
+        [&](std::uint32_t i) {
+          const Arc& arc = arcs_[i];
+          const bool ends_differ = (beside(arc.begin()) < 0) != (beside(arc.end()) < 0);
+          if (arc.degree == 1 && !ends_differ) return;
+          double last = place(arc.c[0]);
+          for (std::size_t k = 1; k <= static_cast<std::size_t>(arc.degree); ++k) {
+            last = std::max(last, place(arc.c[k]));
+          }
+          if (last < t_from) {
+            odd ^= ends_differ;
+            return;
+          }
+          arc.each_sign_change(beside, [&](double w) { f(i, place(arc.at(w))); });
+        });
+    return odd;
   }
 
  private:

@@ -44,7 +44,10 @@ constexpr PrimitiveType parametric_type() {
   type.is_patch = true;
   type.make_stores = [] { return make_type_stores<ParametricShape>(); };
   type.place_whole = [](TypeStores& stores, const scene::Object& object,
-                        const Surroundings& around, const Transform& to_world, bool) {
+                        const Surroundings& around, const Transform& to_world,
+                        bool) -> std::optional<ShapeRef> {
+    const dvec2 range = object.extras->parametric->to - object.extras->parametric->from;
+    if (range.x == 0 || range.y == 0) return std::nullopt;  // a line or a point
     // Without an inside there is nothing that could be inverted (objects §8.5).
     return std::optional(place_shape(
         stores, ParametricShape(shared_parametric_data(object.extras->parametric, around.noise_generator)),

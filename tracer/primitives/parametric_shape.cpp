@@ -49,7 +49,7 @@ Bound bound_over(const functions::Function& f, dvec2 centre, dvec2 half, functio
   const std::array<Interval, 2> box{Interval{centre.x - half.x, centre.x + half.x},
                                     Interval{centre.y - half.y, centre.y + half.y}};
   const Trend t = functions::evaluate_trend(f, box, w);
-  return {t.v, {t.d[0], t.d[1]}};
+  return {t.range(), {t.slope(0), t.slope(1)}};
 }
 
 }  // namespace
@@ -162,6 +162,8 @@ class PatchSearch {
   template <typename Take>
   void run(Take take) {
     const scene::Parametric& s = data_.surface();
+    double entry = 0;
+    if (!meets(data_.root().box, entry)) return;
     walk(data_.root(), (s.from + s.to) * 0.5, (s.to - s.from) * 0.5, 0, take);
   }
 

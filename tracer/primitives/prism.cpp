@@ -47,7 +47,7 @@ struct Prism {
   [[nodiscard]] dvec3 normal(dvec3 p, std::uint32_t part) const {
     if (part < swept::first_side) return {0, 1, 0};
     const Arc& arc = outline->arc(part - swept::first_side);
-    const dvec2 slope = arc.slope(arc.nearest_to(onto_plane(p)));
+    const dvec2 slope = arc.slope_near(onto_plane(p));
     if (!conic) return {slope.y, 0, -slope.x};
     return {slope.y, -(p.x * slope.y - p.z * slope.x) / p.y, -slope.x};
   }
@@ -64,6 +64,13 @@ struct Prism {
     each_crossing(ray, [&](const Crossing& c) { out.push_back(c); });
   }
   [[nodiscard]] std::optional<Nearest> nearest(const Ray& ray, double t_from, double t_to) const {
+    if (!conic) {
+      const auto piece = swept::between(ray.o.y, ray.d.y, low, high);
+      if (!piece) return std::nullopt;
+      const dvec2 d(ray.d.x, ray.d.z);
+      const bool upright = glm::dot(d, d) <= 1e-20 * ray.d.y * ray.d.y;
+      return swept::nearest(*outline, {ray.o.x, ray.o.z}, d, upright, *piece, !open, t_from, t_to);
+    }
     std::optional<Nearest> best;
     each_crossing(ray, [&](const Crossing& c) {
       if (!best && c.visible && c.t >= t_from && c.t < t_to) best = Nearest{c.t, c.part};

@@ -138,6 +138,8 @@ struct SphereSweep {
       }
       if (!any) return;
     }
+    const auto edges = sign_changes<2 * N>(depth);
+    if (edges.count == 0 && !(depth[0] > 0)) return;
     // Where the entry or the exit comes or goes first: along' = ± (√depth)'.
     const auto speed = derivative<N>(along);
     const auto change = derivative<2 * N>(depth);
@@ -147,7 +149,6 @@ struct SphereSweep {
     const auto extremes = sign_changes<4 * N - 2>(turns);
     // Across the line both come at the same place, where that polynomial only touches zero.
     const auto summits = sign_changes<2 * N - 1>(change);
-    const auto edges = sign_changes<2 * N>(depth);
 
     Passage passage{};
     bool open = false;

@@ -23,6 +23,7 @@ enum Visibility : std::uint8_t {
   seen_by_reflection = 2,
   casts_shadow = 4,
   blocks_light = 8,  // casts shadow and is opaque: no light passes at all
+  seen_by_gathering = 16,
 };
 
 /// What hangs on a primitive besides its shape. Read only after the shape was hit.
@@ -83,6 +84,7 @@ class Store : public Targets {
   /// Where the world point `p` lies on the surface. Objects without such coordinates use the world's
   /// x and y (objects §14).
   [[nodiscard]] virtual dvec2 uv(std::uint32_t index, dvec3 p, std::uint32_t part) const = 0;
+  [[nodiscard]] virtual bool has_uv() const = 0;
   [[nodiscard]] virtual TextureBlend textures(std::uint32_t index, dvec3 p,
                                               std::uint32_t part) const = 0;
   /// Appends the crossings of the whole line with each of `leaves`, and to `begun` those leaves

@@ -69,4 +69,41 @@ void each_crossing(std::vector<SideHit>& sides, bool inside, const Piece& piece,
   if (inside) f(Crossing{piece.t_out, 0, piece.part_out, Side::exit, ends_seen});
 }
 
+/// The first crossing in t_from <= t < t_to that is seen, where o + t·d is the line in the plane of
+/// the outline.
+[[nodiscard]] inline std::optional<Nearest> nearest(const Outline& outline, dvec2 o, dvec2 d,
+                                                    bool upright, const Piece& piece,
+                                                    bool ends_seen, double t_from, double t_to) {
+  if (piece.t_out < t_from || piece.t_in >= t_to) return std::nullopt;
+  const bool sees_in = ends_seen && piece.t_in >= t_from;
+  const double begin = std::max(piece.t_in, t_from);
+  const double end = std::min(piece.t_out, t_to);
+  // Whether it is inside where it comes in, where it begins to be of interest, and after that.
+  bool at_in = false;
+  bool later = false;
+  std::optional<Nearest> first;
+  if (upright) {
+    at_in = later = outline.contains(o);
+  } else {
+    double until = end;
+    const bool odd = outline.each_crossing_within(
+        o, d, begin, end, [&](std::uint32_t arc, double t) {
+          if (t <= piece.t_in) at_in = !at_in;
+          if (t < piece.t_out) later = !later;
+          if (t <= piece.t_in || t < t_from || !(t < until)) return;
+          until = t;
+          first = Nearest{t, arc + first_side};
+        });
+    at_in ^= odd;
+    later ^= odd;
+  }
+  if (at_in && sees_in) return Nearest{piece.t_in, piece.part_in};
+  if (first) return first;
+  // No side is passed any more: what is inside now comes out at the end.
+  if (later && ends_seen && piece.t_out >= t_from && piece.t_out < t_to) {
+    return Nearest{piece.t_out, piece.part_out};
+  }
+  return std::nullopt;
+}
+
 }  // namespace durer::tracer::swept

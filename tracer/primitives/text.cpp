@@ -35,7 +35,7 @@ struct Glyph {
   [[nodiscard]] dvec3 normal(dvec3 p, std::uint32_t part) const {
     if (part < swept::first_side) return {0, 0, part == swept::low_end ? -1 : 1};
     const Arc& arc = outline->arc(part - swept::first_side);
-    const dvec2 slope = arc.slope(arc.nearest_to({p.x, p.y}));
+    const dvec2 slope = arc.slope_near({p.x, p.y});
     return {slope.y, -slope.x, 0};
   }
 
@@ -69,6 +69,13 @@ struct Glyph {
     each_crossing(ray, [&](const Crossing& c) { out.push_back(c); });
   }
   [[nodiscard]] std::optional<Nearest> nearest(const Ray& ray, double t_from, double t_to) const {
+    if (solid()) {
+      const auto piece = swept::between(ray.o.z, ray.d.z, 0, depth);
+      if (!piece) return std::nullopt;
+      const dvec2 d(ray.d.x, ray.d.y);
+      const bool upright = glm::dot(d, d) <= 1e-20 * ray.d.z * ray.d.z;
+      return swept::nearest(*outline, {ray.o.x, ray.o.y}, d, upright, *piece, true, t_from, t_to);
+    }
     std::optional<Nearest> best;
     each_crossing(ray, [&](const Crossing& c) {
       if (!(c.t >= t_from) || !(c.t < t_to)) return;

@@ -140,6 +140,9 @@ class TypedStore final : public Store {
       return {p.x, p.y};
     }
   }
+  [[nodiscard]] bool has_uv() const override {
+    return requires(const S& s, dvec3 p) { s.uv(p, 0U); };
+  }
   [[nodiscard]] TextureBlend textures(std::uint32_t index, dvec3 p,
                                       std::uint32_t part) const override {
     if constexpr (requires(const S& s) { s.textures(p, part); }) {

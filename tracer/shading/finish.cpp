@@ -45,6 +45,8 @@ Finish compile_finish(const scene::Finish& in, vec3 ambient_light, vec3 irid_wav
   f.reflection_max = in.reflection_max;
   f.diffuse = in.diffuse;
   f.diffuse_back = in.diffuse_back;
+  f.indirect = in.indirect;
+  f.indirect_back = in.indirect_back;
   f.brilliance = in.brilliance;
   f.phong = in.phong;
   f.phong_size = in.phong_size;

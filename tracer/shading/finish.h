@@ -14,6 +14,8 @@ struct Finish {
   vec3 reflection_max{0.0F};
   float diffuse = 0;
   float diffuse_back = 0;
+  float indirect = 0;  // shares of gathered light
+  float indirect_back = 0;
   float brilliance = 1;
   float phong = 0;
   float phong_size = 40;

@@ -8,6 +8,7 @@
 
 #include "base/vec.h"
 #include "scene/texture.h"
+#include "tracer/shading/media.h"
 
 namespace durer::tracer {
 
@@ -22,6 +23,7 @@ struct Interior {
   vec3 fade_colour{0.0F};
   float refraction = 1;
   bool hollow = false;
+  MediaRange media;
 };
 
 /// `finish`: of the outermost layer of the body's texture, or null if its texture is patterned.

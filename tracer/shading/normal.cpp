@@ -40,8 +40,10 @@ NormalId NormalStore::add(const scene::Normal& normal, const Transform& to_world
     entries.push_back({e.key, add(normal.children[e.normal], {})});
   }
   Node node;
-  node.pattern = patterns_.compile(normal.pattern, to_world);
-  node.frame = NormalFrame(normal.pattern, to_world, normal.no_bump_scale);
+  node.by_uv = normal.uv_mapping;
+  const Transform placed = node.by_uv ? Transform{} : to_world;
+  node.pattern = patterns_.compile(normal.pattern, placed);
+  node.frame = NormalFrame(normal.pattern, placed, normal.no_bump_scale);
   node.amount = normal.amount;
   node.accuracy = normal.accuracy;
   node.first_entry = static_cast<std::uint32_t>(entries_.size());
@@ -57,6 +59,7 @@ NormalId NormalStore::add(const scene::Normal& normal, const Transform& to_world
 dvec3 NormalStore::at(NormalId id, dvec3 p, dvec3 n, const SurfaceView* view) const {
   const Node& node = nodes_[id];
   if (node.pattern.type == nullptr) return n;
+  if (node.by_uv && view != nullptr) p = view->uv;
   n = node.frame.enter(n);
   n = perturbed(node, patterns_.warp(node.pattern, p), n, view);
   return node.frame.leave(n);

@@ -56,6 +56,7 @@ class NormalStore {
     std::uint32_t end_entry = 0;
     std::uint32_t first_slope = 0;
     std::uint32_t end_slope = 0;
+    bool by_uv = false;  // looked up at (u, v, 0)
   };
 
   [[nodiscard]] dvec3 perturbed(const Node& node, dvec3 p, dvec3 n, const SurfaceView* view) const;

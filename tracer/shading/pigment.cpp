@@ -1,5 +1,7 @@
 #include "tracer/shading/pigment.h"
 
+#include <algorithm>
+
 #include "tracer/patterns/map_search.h"
 
 namespace durer::tracer {
@@ -30,7 +32,8 @@ PigmentId PigmentStore::add(const scene::Pigment& pigment, const Transform& to_w
   node.colour = quick ? pigment.quick_colour : pigment.colour;
   const auto id = static_cast<PigmentId>(nodes_.size());
   nodes_.push_back(node);
-  if (quick || !pigment.pattern.exists() || pigment.entries.empty()) return id;
+  if (quick || !pigment.pattern.exists()) return id;
+  if (pigment.entries.empty() && pigment.pattern.image == nullptr) return id;
 
   std::vector<Entry> entries;
   for (const scene::PigmentEntry& e : pigment.entries) {
@@ -39,7 +42,8 @@ PigmentId PigmentStore::add(const scene::Pigment& pigment, const Transform& to_w
     const PigmentId child = nested ? add(pigment.children[e.pigment], {}) : scene::none;
     entries.push_back({e.key, child, e.colour});
   }
-  node.pattern = patterns_.compile(pigment.pattern, to_world);
+  node.by_uv = pigment.uv_mapping;
+  node.pattern = patterns_.compile(pigment.pattern, node.by_uv ? Transform{} : to_world);
   node.first_entry = static_cast<std::uint32_t>(entries_.size());
   entries_.insert(entries_.end(), entries.begin(), entries.end());
   node.end_entry = static_cast<std::uint32_t>(entries_.size());
@@ -50,8 +54,28 @@ PigmentId PigmentStore::add(const scene::Pigment& pigment, const Transform& to_w
 Colour PigmentStore::at(PigmentId id, dvec3 p, const SurfaceView* view) const {
   const Node& node = nodes_[id];
   if (node.pattern.type == nullptr) return node.colour;
-  const dvec3 warped = patterns_.warp(node.pattern, p);
+  const dvec3 warped = patterns_.warp(node.pattern, place(node, p, view));
+  if (node.pattern.type->colour != nullptr) {
+    return node.pattern.type->colour(node.pattern.state, warped);
+  }
   return select(node, PatternStore::value(node.pattern, warped, view), warped, view);
+}
+
+bool PigmentStore::covers(PigmentId id, dvec3 p, const SurfaceView* view) const {
+  const Node& node = nodes_[id];
+  if (node.pattern.type == nullptr) return true;
+  const dvec3 warped = patterns_.warp(node.pattern, place(node, p, view));
+  if (node.pattern.type->covers != nullptr) {
+    return node.pattern.type->covers(node.pattern.state, warped);
+  }
+  // A blend shows something where any of its parts does.
+  const std::span entries(&entries_[node.first_entry], node.end_entry - node.first_entry);
+  const auto shows = [&](const Entry& e) {
+    return e.child == scene::none || covers(e.child, warped, view);
+  };
+  if (node.pattern.type->averages) return std::any_of(entries.begin(), entries.end(), shows);
+  const auto found = find_neighbours(entries, PatternStore::value(node.pattern, warped, view));
+  return shows(*found.lower) || (!found.single() && shows(*found.upper));
 }
 
 double PigmentStore::pattern_value(PigmentId id, dvec3 p) const {
@@ -91,6 +115,7 @@ Colour PigmentStore::entry_colour(const Entry& entry, dvec3 p, const SurfaceView
 bool PigmentStore::opaque(PigmentId id) const {
   const Node& node = nodes_[id];
   if (node.pattern.type == nullptr) return opaque_colour(node.colour);
+  if (node.pattern.type->colour != nullptr) return node.pattern.type->opaque(node.pattern.state);
   for (std::uint32_t i = node.first_entry; i < node.end_entry; ++i) {
     const Entry& e = entries_[i];
     if (!(e.child == scene::none ? opaque_colour(e.colour) : opaque(e.child))) return false;

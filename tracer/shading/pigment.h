@@ -28,6 +28,10 @@ class PigmentStore {
   /// `view`: what a ray sees there, for patterns that ask; null away from surfaces.
   [[nodiscard]] Colour at(PigmentId id, dvec3 p, const SurfaceView* view = nullptr) const;
 
+  /// False where it shows nothing: beyond a picture that is shown once, and only there (textures
+  /// §14.4).
+  [[nodiscard]] bool covers(PigmentId id, dvec3 p, const SurfaceView* view = nullptr) const;
+
   /// The value that its pattern selects colours with, at a world point; 0 if it has no pattern.
   [[nodiscard]] double pattern_value(PigmentId id, dvec3 p) const;
 
@@ -45,8 +49,12 @@ class PigmentStore {
     Colour colour;
     std::uint32_t first_entry = 0;
     std::uint32_t end_entry = 0;
+    bool by_uv = false;  // looked up at (u, v, 0)
   };
 
+  [[nodiscard]] static dvec3 place(const Node& node, dvec3 p, const SurfaceView* view) {
+    return node.by_uv && view != nullptr ? view->uv : p;
+  }
   [[nodiscard]] Colour select(const Node& node, double value, dvec3 warped,
                               const SurfaceView* view) const;
   [[nodiscard]] Colour average(std::span<const Entry> entries, dvec3 p,

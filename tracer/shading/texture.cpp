@@ -44,14 +44,13 @@ TextureProgram TextureStore::compile_layers(scene::TextureId id, const Transform
     const scene::Layer& layer = texture.layers[i];
     LayerProgram out;
     out.finish = finish + static_cast<std::uint32_t>(i);
-    out.by_uv = layer.pigment->uv_mapping;
-    out.pigment = pigments_.add(*layer.pigment, out.by_uv ? Transform{} : placement);
+    out.pigment = pigments_.add(*layer.pigment, placement);
+    program.uses_uv = program.uses_uv || scene::uses_uv(*layer.pigment);
     if (quality_.normals && layer.normal->pattern.exists()) {
-      out.normal_by_uv = layer.normal->uv_mapping;
-      out.normal = normals_.add(*layer.normal, out.normal_by_uv ? Transform{} : placement);
+      out.normal = normals_.add(*layer.normal, placement);
+      program.uses_uv = program.uses_uv || scene::uses_uv(*layer.normal);
     }
     layers_.push_back(out);
-    program.uses_uv = program.uses_uv || out.by_uv || out.normal_by_uv;
     program.opaque = program.opaque || pigments_.opaque(out.pigment);
   }
   program.end_layer = static_cast<std::uint32_t>(layers_.size());
@@ -62,7 +61,7 @@ TextureProgram TextureStore::compile_choice(const scene::Texture& texture,
                                             const Transform& placement) {
   TextureProgram program;
   program.opaque = true;
-  program.uses_uv = texture.uv_mapping;
+  program.uses_uv = texture.uv_mapping || scene::uses_uv(*texture.pattern);
   std::vector<TextureChoiceEntry> entries;
   for (const scene::TextureEntry& e : texture.entries) {
     entries.push_back({e.key, add({e.texture, {}})});
@@ -89,9 +88,13 @@ std::uint32_t TextureStore::finishes_of(scene::TextureId id) {
       first_finish_.try_emplace(id, static_cast<std::uint32_t>(finishes_.size()));
   if (is_new) {
     const scene::Settings& settings = scene_->settings;
+    // Light that is gathered takes the place of light that is assumed (participating §2.2).
+    const bool gathered =
+        settings.radiosity && quality_.radiosity && settings.effective_version >= 370;
+    const vec3 ambient = gathered ? vec3(0.0F) : settings.ambient_light;
     for (const scene::Layer& layer : scene_->textures[id].layers) {
       finishes_.push_back(
-          compile_finish(*layer.finish, settings.ambient_light, settings.irid_wavelength,
+          compile_finish(*layer.finish, ambient, settings.irid_wavelength,
                          settings.resolved_noise_generator()));
     }
   }

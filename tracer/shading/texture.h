@@ -26,8 +26,6 @@ struct LayerProgram {
   PigmentId pigment = 0;
   std::uint32_t finish = 0;       // index into TextureStore::finishes()
   NormalId normal = scene::none;  // none: no bumps
-  bool by_uv = false;             // the pigment is looked up at (u, v, 0)
-  bool normal_by_uv = false;
 };
 
 /// Layers first…end-1 of the store, outermost first; or a choice among other textures.

@@ -11,10 +11,21 @@ bool Tracer::in_the_open(const Containment& inside) const {
   return true;
 }
 
-/// What lies over the first `depth` of the path's ray: fog before rainbows.
-Veil Tracer::veil(const Path& path, double depth) {
-  Veil air = scene_->atmosphere.fog(path.ray, depth);
-  air.add_behind(scene_->atmosphere.rainbow(path.ray, depth, scratch_->noise));
+/// True if something everywhere may weaken the light of lamps.
+bool Tracer::dims() const {
+  return (air_ && scene_->atmosphere.foggy()) || !scene_->air_media.empty();
+}
+
+/// What lies over the first `depth` of the path's ray, up to a `hit` if there is one: fog before
+/// media before rainbows.
+Veil Tracer::veil(const Path& path, double depth, const Hit* hit) {
+  Veil air;
+  if (air_) air = scene_->atmosphere.fog(path.ray, depth);
+  if (!scene_->media.empty()) {
+    const MediaEffect media = media_along(path, depth, hit);
+    air.add_behind({media.added, media.kept, grey(media.kept)});
+  }
+  if (air_) air.add_behind(scene_->atmosphere.rainbow(path.ray, depth, scratch_->noise));
   return air;
 }
 

@@ -14,11 +14,11 @@ vec3 Tracer::illuminate(const View& view, const Path& path, const LayerPoint& la
   for (const std::uint32_t i : scratch_->lit) {
     const Light& light = scene_->lights[i];
     LampAtPoint& lamp = scratch_->lamps[i];
-    const bool spread = light.has_area && light.area.illumination;
+    const bool spread = spreads(light, view);
     const bool hidden = is_behind(view, layer, lamp.in.l);
     if (hidden && !spread && layer.finish->diffuse_back == 0) continue;
     if (!lamp.shadow_known) {
-      lamp.shadowed = shadowed(light, lamp.in, view.p, path.inside);
+      lamp.shadowed = shadowed(light, lamp.in, view.p, path.inside, view.gathering);
       lamp.shadow_known = true;
     }
     if (dark(lamp.shadowed)) continue;
@@ -28,6 +28,11 @@ vec3 Tracer::illuminate(const View& view, const Path& path, const LayerPoint& la
   return sum;
 }
 
+// Its whole area shines, not only its centre.
+bool Tracer::spreads(const Light& light, const View& view) {
+  return light.has_area && light.area.illumination && !view.gathering;
+}
+
 // The lamps whose light gets to the point, as far as nothing is in its way.
 void Tracer::find_lamps(const View& view) {
   scratch_->lit.clear();
@@ -35,8 +40,7 @@ void Tracer::find_lamps(const View& view) {
     if (!scene_->reaches[i].contains(view.p)) continue;
     const Light& light = scene_->lights[i];
     Incidence in = incidence(light, view.p);
-    const bool spread = light.has_area && light.area.illumination;
-    if (spread) in.colour = light.colour;  // its samples are weakened one by one
+    if (spreads(light, view)) in.colour = light.colour;  // its samples are weakened one by one
     if (dark(in.colour)) continue;
     scratch_->lamps[i] = {in, vec3(0.0F), false};
     scratch_->lit.push_back(i);
@@ -81,7 +85,7 @@ vec3 Tracer::shade(const View& view, const LayerPoint& layer, const Light& light
     if (f.crand > 0) intensity -= random_unit(scratch_->noise) * f.crand;
     sum = intensity * layer.pigment * lamp.shadowed;
   }
-  if (f.highlights && !backside && !light.shadowless) {
+  if (f.highlights && !view.gathering && !backside && !light.shadowless) {
     sum += highlight(f, view.d, layer.n, l, layer.pigment) * lamp.shadowed;
   }
   if (f.irid > 0) sum *= iridescence(f, view.p, cosine, glm::dot(layer.n, view.d));

@@ -7,9 +7,10 @@
 
 namespace durer::tracer {
 
-vec3 Tracer::shadowed(const Light& light, const Incidence& in, dvec3 p, const Containment& inside) {
+vec3 Tracer::shadowed(const Light& light, const Incidence& in, dvec3 p, const Containment& inside,
+                      bool as_point) {
   if (!quality_.shadows || (light.shadowless && light.projector == scene::none)) return in.colour;
-  if (!light.has_area) return point_shadow(light, in, p, inside);
+  if (!light.has_area || as_point) return point_shadow(light, in, p, inside);
   AreaShadow whole{light, in, p, inside};
   if (whole.few = few_casters(light, in, p); whole.few && scratch_->casters.empty()) {
     return in.colour;
@@ -29,7 +30,8 @@ vec3 Tracer::point_shadow(const Light& light, const Incidence& in, dvec3 p,
     if (light.shadowless) return in.colour;
   }
   if (way <= 2 * t_shadow) return in.colour;
-  if (translucent_shadows_ || dims(light)) return walk_shadow(light, in, p, way, inside);
+  const bool dimmed = light.dimmed_by_air && dims();
+  if (translucent_shadows_ || dimmed) return walk_shadow(light, in, p, way, inside);
   ++scratch_->rays;
   const bool blocked =
       scene_->geometry.occluded({p, in.l}, t_shadow, way - t_shadow, *scratch_->geometry);
@@ -49,7 +51,7 @@ double Tracer::projected(const Light& light, const Incidence& in, dvec3 p) {
 vec3 Tracer::walk_shadow(const Light& light, const Incidence& in, dvec3 p, double way,
                          Containment inside) {
   static const double beyond = std::nextafter(t_shadow, 1.0);
-  const bool dimmed = dims(light);
+  const bool dimmed = light.dimmed_by_air && dims();
   const double unobstructed = in.distance - way;  // behind the object that the lamp shines through
   vec3 left = in.colour;
   Ray ray{p, in.l};
@@ -61,12 +63,14 @@ vec3 Tracer::walk_shadow(const Light& light, const Incidence& in, dvec3 p, doubl
                                               *scratch_->geometry);
     if (met) left *= shadow_factor(hit, in.l, inside);
     const double depth = met ? hit.t : way + unobstructed;
+    if (met && !scene_->media.empty()) left *= light_through_bodies(ray, hit.t, inside);
     if (dimmed && depth > t_shadow && in_the_open(inside)) {
-      left *= scene_->atmosphere.fog_shadow(ray, depth);
+      if (air_) left *= scene_->atmosphere.fog_shadow(ray, depth);
+      if (!scene_->air_media.empty()) left *= light_through_air(ray, depth, inside);
     }
     if (!met) return left;
     if (dark(left)) return vec3(0.0F);
-    inside.toggle(scene_->geometry.leaves()[hit.leaf].interior);
+    inside.toggle(hit.interior);
     ray.o = hit.p;
     way -= hit.t;
   }
@@ -75,7 +79,8 @@ vec3 Tracer::walk_shadow(const Light& light, const Incidence& in, dvec3 p, doubl
 // Finds all that could stand between a point and a lamp's area, when that is as good as asking the
 // hierarchy for every sample.
 bool Tracer::few_casters(const Light& light, const Incidence& in, dvec3 p) {
-  if (light.parallel || light.projector != scene::none || dims(light)) return false;
+  if (light.parallel || light.projector != scene::none) return false;
+  if (light.dimmed_by_air && dims()) return false;
   const AreaExtent extent = area_extent(light.area, in.l);
   const Shaft shaft(p, light.position, extent.half_u, extent.half_v, t_shadow);
   if (!scene_->geometry.casters(shaft, scratch_->casters)) return false;
@@ -146,7 +151,7 @@ vec3 Tracer::shadow_factor(const Hit& hit, dvec3 l, const Containment& inside) c
   vec3 sum(0.0F);
   for (std::uint32_t i = 0; i < seen.blend.count; ++i) {
     const TextureBlend::Part& part = seen.blend.parts[i];
-    if (part.weight < adc_) continue;
+    if (part.weight < limits_[0].adc) continue;
     View view = seen.view;
     dress(view, seen, hit, part.texture);
     sum += part.weight * shadow_factor(view, inside);
@@ -166,13 +171,13 @@ vec3 Tracer::shadow_factor(const View& view, const Containment& inside) const {
   const TextureStore& textures = scene_->textures;
   const Interior& body = scene_->interiors[view.interior];
   vec3 k(1.0F);
-  SurfaceView seen{view.p, view.d, view.g};
+  SurfaceView seen{view.p, view.d, view.g, view.uv};
   for (std::uint32_t i = view.texture->first_layer; i < view.texture->end_layer; ++i) {
     const LayerProgram& layer = textures.layer(i);
     // Only caustics ask for bumps; without them, patterns too see the bare surface.
     const bool bumpy = layer.normal != scene::none && body.caustics != 0;
     const dvec3 n = bumpy ? bend(view, layer, seen) : view.g;
-    k *= textures.pigments().at(layer.pigment, layer.by_uv ? view.uv : view.q, &seen).transmission();
+    k *= textures.pigments().at(layer.pigment, view.q, &seen).transmission();
     if (body.caustics != 0) {
       k *= static_cast<float>(1 + std::pow(std::abs(glm::dot(n, view.d)), body.caustics));
     }

@@ -50,7 +50,7 @@ Tracer::Step Tracer::surface(const View& view, Path& path) {
   Step step;
   step.colour = layers.colour;
   // Reflections need the path as it arrived; transmission turns it into the one behind.
-  const bool see_through = quality_.transparency && layers.sigma > adc_;
+  const bool see_through = quality_.transparency && layers.sigma > limits(path).adc;
   if (scratch_->reflections.size() == first) {
     if (see_through) transmit(view, layers, path, step);
     return step;
@@ -70,15 +70,17 @@ float Tracer::opacity(const Colour& c) const {
 Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
   const TextureStore& textures = scene_->textures;
   LayerSum sum;
-  SurfaceView seen{view.p, view.d, view.g};
+  SurfaceView seen{view.p, view.d, view.g, view.uv};
   const std::uint32_t first = view.texture->first_layer;
+  const bool gathers =
+      scene_->radiosity && path.bounce < scene_->radiosity->bounces.size();
+  Indirect around;
   bool first_lit = true;  // layers may ignore the lights that others need
-  for (std::uint32_t i = first; i < view.texture->end_layer && sum.sigma > adc_; ++i) {
+  for (std::uint32_t i = first; i < view.texture->end_layer && sum.sigma > limits(path).adc; ++i) {
     const LayerProgram& program = textures.layer(i);
     const dvec3 n = program.normal == scene::none ? view.g : bend(view, program, seen);
     if (i == first) sum.top = n;
-    const Colour c =
-        textures.pigments().at(program.pigment, program.by_uv ? view.uv : view.q, &seen);
+    const Colour c = textures.pigments().at(program.pigment, view.q, &seen);
     if (!quality_.lights) {
       sum.colour = c.rgb;
       sum.sigma = std::min(sum.sigma, std::abs(grey(sum.through *= c.transmission())));
@@ -93,6 +95,10 @@ Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
       light += illuminate(view, path, layer, first_lit);
       first_lit = false;
     }
+    if (gathers && (f.indirect != 0 || f.indirect_back != 0)) {
+      light += indirect_part(view, path, layer, sum.through, around);
+      first_lit = true;  // gathering lights other surfaces
+    }
     sum.colour += light * sum.through;
     sum.through *= c.transmission();
     if (f.conserve_energy) sum.through *= glm::min(vec3(1.0F), 1.0F - rho);
@@ -105,14 +111,22 @@ Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
 // of the patterned textures around it (textures §13.1, §13.5).
 dvec3 Tracer::bend(const View& view, const LayerProgram& layer, SurfaceView& seen) const {
   dvec3 n = view.g;
+  for (std::uint32_t i = 0; i < view.places; ++i) {
+    n = glm::normalize(view.spaces[i]->forward.covector(n));
+  }
   for (std::uint32_t i = 0; i < view.frame_count; ++i) n = view.frames[i]->enter(n);
-  const dvec3 p = layer.normal_by_uv ? view.uv : view.q;
-  n = scene_->textures.normals().at(layer.normal, p, n, &seen);
-  seen.n = n;
+  n = scene_->textures.normals().at(layer.normal, view.q, n, &seen);
+  const auto back_to_world = [&view](dvec3 inner) {
+    for (std::uint32_t i = view.places; i-- > 0;) {
+      inner = glm::normalize(view.spaces[i]->backward.covector(inner));
+    }
+    return inner;
+  };
+  seen.n = view.frame_count == 0 ? back_to_world(n) : n;
   // Of unit length here, but not after a patterned texture that keeps lengths: as the oracle has it.
   n = glm::normalize(n);
   for (std::uint32_t i = view.frame_count; i-- > 0;) n = view.frames[i]->leave(n);
-  return n;
+  return back_to_world(n);
 }
 
 vec3 Tracer::remember_reflection(const View& view, const Path& path, const LayerPoint& layer,
@@ -161,6 +175,7 @@ void Tracer::transmit(const View& view, const LayerSum& layers, Path& path, Step
   next.level = path.level;
   next.reflected = path.reflected;
   next.wavelength = path.wavelength;
+  next.bounce = path.bounce;
   step.through = a * layers.through;
   step.transmittance = grey(a) * layers.sigma;
 

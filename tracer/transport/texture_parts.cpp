@@ -10,7 +10,7 @@ double Tracer::choose(View& view, const TextureChoice& choice) const {
     return 0;
   }
   // A pattern that chooses textures sees the surface without bumps.
-  const SurfaceView seen{view.p, view.d, view.g};
+  const SurfaceView seen{view.p, view.d, view.g, view.uv};
   view.q = scene_->textures.warp(choice, view.q);
   view.frames[view.frame_count++] = &choice.frame;
   return PatternStore::value(choice.pattern, view.q, &seen);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
 
 namespace durer::tracer {
 
@@ -16,13 +17,21 @@ Scratch::Scratch(const CompiledScene& scene)
 Tracer::Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha)
     : scene_(&scene),
       scratch_(&scratch),
-      max_level_(std::clamp(scene.scene->settings.max_trace_level, 1, 256)),
-      adc_(scene.scene->settings.adc_bailout),
       alpha_(alpha),
       legacy_opacity_(scene.scene->settings.effective_version < 370),
       translucent_shadows_(scene.geometry.has_translucent_shadows()),
       air_(scene.quality.atmosphere && !scene.atmosphere.empty()),
-      quality_(scene.quality) {}
+      in_air_(air_ || !scene.media.empty()),
+      quality_(scene.quality) {
+  const scene::Settings& settings = scene.scene->settings;
+  limits_.fill({std::clamp(settings.max_trace_level, 1, 256), settings.adc_bailout});
+  if (!scene.radiosity) return;
+  const RadiosityProgram& r = *scene.radiosity;
+  gathers_air_ = r.settings.media;
+  for (std::size_t i = 0; i < r.bounces.size(); ++i) {
+    limits_[i + 1] = {r.bounces[i].max_level, static_cast<float>(r.settings.adc_bailout)};
+  }
+}
 
 // Transmitted rays are followed in the loop rather than by recursion: straight ones do not count as
 // a level, so that a ray may pass any number of them.
@@ -31,24 +40,34 @@ Radiance Tracer::follow(Path path, bool straight) {
   vec3 through(1.0F);
   float transmittance = 1;
   for (;;) {
-    if (path.level >= max_level_ || path.weight < adc_) return {sum, 0};
-    const RayKind kind = path.reflected ? RayKind::reflection : RayKind::image;
+    const Limits& limit = limits(path);
+    if (path.level >= limit.max_level || path.weight < limit.adc) return {sum, 0};
+    const RayKind kind = path.bounce > 0    ? RayKind::gathering
+                         : path.reflected ? RayKind::reflection
+                                          : RayKind::image;
     Hit hit;
     ++scratch_->rays;
     const bool met =
         scene_->geometry.closest(path.ray, t_min, path.reach, kind, hit, *scratch_->geometry);
-    if (air_ && in_the_open(path.inside)) {
-      const Veil air = veil(path, met ? hit.t : no_hit_depth);
+    if (in_air_ && (path.bounce == 0 || gathers_air_) && in_the_open(path.inside)) {
+      const double depth = met ? hit.t : no_hit_depth;
+      const Veil air = veil(path, depth, met ? &hit : nullptr);
       sum += through * air.glow;
       through *= air.through;
       transmittance *= air.transmittance;
     }
     if (!met) {
-      const Sky::Seen s = scene_->sky.at(path.ray.d, path.reflected || !alpha_);
+      const Sky::Seen s = scene_->sky.at(path.ray.d, path.reflected || path.bounce > 0 || !alpha_);
       return {sum + through * s.colour, transmittance * s.transmittance};
+    }
+    if (FirstHit* first = std::exchange(path.first, nullptr); first != nullptr) {
+      first->distance = hit.t;
+      first->importance = scene_->geometry.leaves()[hit.leaf].importance;
+      if (first->importance < first->least_importance) return {};
     }
     if (!straight) ++path.level;
     Look seen = look(hit, path.ray.d);
+    seen.view.gathering = path.bounce > 0;
     if (seen.blend.count > 1) {
       const Radiance r = blend(seen, hit, path);
       return {sum + through * r.colour, transmittance * r.transmittance};
@@ -74,7 +93,7 @@ Radiance Tracer::blend(const Look& look, const Hit& hit, const Path& path) {
   Radiance sum;
   for (std::uint32_t i = 0; i < look.blend.count; ++i) {
     const TextureBlend::Part& part = look.blend.parts[i];
-    if (part.weight < adc_) continue;
+    if (part.weight < limits(path).adc) continue;
     View view = look.view;
     dress(view, look, hit, part.texture);
     const Radiance r = shown(view, path);
@@ -94,8 +113,8 @@ Tracer::Look Tracer::look(const Hit& hit, dvec3 d) const {
   view.p = hit.p;
   view.d = d;
   view.g = from_inside ? -hit.n : hit.n;
-  view.texture = &scene_->textures.program(from_inside ? s.inside : s.outside);
-  view.interior = leaf.interior;
+  view.texture = &scene_->textures.program(texture_at(hit, s, from_inside, view.places));
+  view.interior = hit.interior;
   view.lamps = s.lamps;
   view.double_illuminate = s.double_illuminate;
   view.depth = hit.t;
@@ -107,13 +126,31 @@ Tracer::Look Tracer::look(const Hit& hit, dvec3 d) const {
   return found;
 }
 
+/// Which texture of a surface is seen, and the space it lies in: that of the outermost `places`
+/// placements of the hit.
+ProgramId Tracer::texture_at(const Hit& hit, const SurfaceProgram& surface, bool from_inside,
+                             std::uint32_t& places) const {
+  places = hit.depth;
+  ProgramId id = from_inside ? surface.inside : surface.outside;
+  while (id == program_of_placement) {
+    const Placement& placement = scene_->geometry.placements()[hit.path[--places]];
+    const SurfaceProgram& outer = scene_->surfaces[placement.surface];
+    id = from_inside ? outer.inside : outer.outside;
+  }
+  return id;
+}
+
 /// Puts a texture of a part on, if there is one, and finds the point where to look it up.
 void Tracer::dress(View& view, const Look& look, const Hit& hit, std::uint32_t texture) const {
   const SurfaceProgram& s = *look.surface;
   if (texture != scene::none) {
     view.texture = &scene_->textures.program(scene_->part_textures[s.first_part + texture]);
+    view.places = hit.depth;
   }
-  view.q = view.p;
+  view.q = hit.at(view.places);
+  for (std::uint32_t i = 0; i < view.places; ++i) {
+    view.spaces[i] = &scene_->geometry.placements()[hit.path[i]].to_outer;
+  }
   if (!s.uv_mapping && !view.texture->uses_uv) return;
   const dvec2 uv = Geometry::uv(hit);
   view.uv = {uv.x, uv.y, 0};

@@ -3,13 +3,22 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "tracer/compiled_scene.h"
 #include "tracer/primitives/store.h"
+#include "tracer/transport/radiosity.h"
 
 namespace durer::tracer {
+
+/// What a ray that gathers indirect light tells of the first surface that it meets.
+struct FirstHit {
+  double distance = std::numeric_limits<double>::infinity();
+  float least_importance = 0;  // surfaces of less are not looked at
+  float importance = 1;        // that of the surface
+};
 
 /// A ray with its history.
 struct Path {
@@ -20,6 +29,8 @@ struct Path {
   bool reflected = false;
   double wavelength = 0;  // nm; 0: white light
   Containment inside;     // bodies that the ray is inside of
+  std::uint32_t bounce = 0;   // of indirect light; above 0: the ray gathers some
+  FirstHit* first = nullptr;  // who wants to know of the next surface, if somebody does
 };
 
 /// Premultiplied colour, and the share of what lies behind that shines through.
@@ -49,6 +60,26 @@ struct AreaSample {
   bool known = false;
 };
 
+/// What media along a ray do to the light from its far end.
+struct MediaEffect {
+  vec3 added{0.0F};  // light that they send towards the ray's origin
+  vec3 depth{0.0F};  // optical depth
+  vec3 kept{1.0F};   // share of the light behind that comes through
+};
+
+/// Where a lamp shines on a ray, in units of t.
+struct LampSpan {
+  std::uint32_t light = 0;
+  double from = 0;
+  double to = 0;
+};
+/// A part of a ray that some lamp shines on, or none.
+struct LitPart {
+  double from = 0;
+  double to = 0;
+  bool lit = false;
+};
+
 /// What one thread may change. Buffers grow once; tracing allocates nothing after that.
 struct Scratch {
   explicit Scratch(const CompiledScene& scene);
@@ -63,6 +94,10 @@ struct Scratch {
   std::vector<GeometryScratchPtr> projectors;
   std::vector<Reflection> reflections;  // a stack
   std::vector<std::uint32_t> containing;
+  RadiosityState radiosity;
+  std::vector<std::uint32_t> media;   // a stack: those that are being integrated
+  std::vector<LampSpan> lamp_spans;   // of the ray whose media are being integrated
+  std::vector<LitPart> lit_parts;
 };
 
 /// Traces rays of one thread.
@@ -74,6 +109,7 @@ class Tracer {
   [[nodiscard]] Radiance trace(Path path) { return follow(path, false); }
 
  private:
+  friend class MediaIntegrator;
   // A surface that is being looked at.
   struct View {
     dvec3 p{0.0};
@@ -87,7 +123,11 @@ class Tracer {
     /// Spaces of the patterned textures around `texture`, outermost first.
     std::uint32_t frame_count = 0;
     std::array<const NormalFrame*, max_texture_depth> frames;
+    /// Spaces of the placements around the texture, outermost first; `q` lies in the last one.
+    std::uint32_t places = 0;
+    std::array<const Transform*, max_placement_depth> spaces;
     bool double_illuminate = false;
+    bool gathering = false;  // seen by a ray that gathers indirect light
     double depth = 0;  // from the ray's origin
   };
   // What the layers of a surface send out, and let through.
@@ -136,6 +176,8 @@ class Tracer {
   [[nodiscard]] Radiance follow(Path path, bool straight);
   [[nodiscard]] Radiance blend(const Look& look, const Hit& hit, const Path& path);
   [[nodiscard]] Look look(const Hit& hit, dvec3 d) const;
+  [[nodiscard]] ProgramId texture_at(const Hit& hit, const SurfaceProgram& surface,
+                                     bool from_inside, std::uint32_t& places) const;
   void dress(View& view, const Look& look, const Hit& hit, std::uint32_t texture) const;
   [[nodiscard]] Radiance shown(const View& view, const Path& path);
   void narrow(View& view) const;
@@ -146,6 +188,23 @@ class Tracer {
   [[nodiscard]] Step surface(const View& view, Path& path);
   [[nodiscard]] LayerSum sum_layers(const View& view, const Path& path);
   [[nodiscard]] float opacity(const Colour& c) const;
+  // Indirect light.
+  struct Gathered {
+    dvec3 light{0.0};
+    double quality = 0;
+  };
+  // That of one surface; its layers share it.
+  struct Indirect {
+    vec3 front{0.0F};
+    vec3 back{0.0F};
+    bool front_known = false;
+    bool back_known = false;
+  };
+  [[nodiscard]] vec3 indirect_part(const View& view, const Path& path, const LayerPoint& layer,
+                                   vec3 through, Indirect& known);
+  [[nodiscard]] vec3 indirect(const View& view, dvec3 layer_normal, float weight,
+                              std::uint32_t depth);
+  [[nodiscard]] Gathered gather(dvec3 p, dvec3 raw, dvec3 n, std::uint32_t depth);
   vec3 remember_reflection(const View& view, const Path& path, const LayerPoint& layer,
                            float sigma);
   void transmit(const View& view, const LayerSum& layers, Path& path, Step& step);
@@ -158,42 +217,53 @@ class Tracer {
   [[nodiscard]] vec3 attenuation(const View& view, const Path& path) const;
 
   [[nodiscard]] bool in_the_open(const Containment& inside) const;
-  [[nodiscard]] Veil veil(const Path& path, double depth);
+  [[nodiscard]] bool dims() const;
+  [[nodiscard]] Veil veil(const Path& path, double depth, const Hit* hit);
 
   [[nodiscard]] vec3 illuminate(const View& view, const Path& path, const LayerPoint& layer,
                                 bool first_lit);
   void find_lamps(const View& view);
+  [[nodiscard]] static bool spreads(const Light& light, const View& view);
   [[nodiscard]] static bool is_behind(const View& view, const LayerPoint& layer, dvec3 l);
   [[nodiscard]] vec3 shade_by_area(const View& view, const LayerPoint& layer, const Light& light,
                                    const LampAtPoint& lamp);
   [[nodiscard]] vec3 shade(const View& view, const LayerPoint& layer, const Light& light,
                            const LampAtPoint& lamp, bool backside);
   [[nodiscard]] vec3 shadowed(const Light& light, const Incidence& in, dvec3 p,
-                              const Containment& inside);
+                              const Containment& inside, bool as_point = false);
   [[nodiscard]] vec3 point_shadow(const Light& light, const Incidence& in, dvec3 p,
                                   const Containment& inside);
   [[nodiscard]] double projected(const Light& light, const Incidence& in, dvec3 p);
   [[nodiscard]] vec3 walk_shadow(const Light& light, const Incidence& in, dvec3 p, double way,
                                  Containment inside);
   [[nodiscard]] bool few_casters(const Light& light, const Incidence& in, dvec3 p);
-  /// Fog weakens the lamp's light.
-  [[nodiscard]] bool dims(const Light& light) const {
-    return air_ && light.dimmed_by_air && scene_->atmosphere.foggy();
-  }
   [[nodiscard]] dvec3 area_sample(const Light& light, int u, int v, dvec3 l);
   [[nodiscard]] vec3 area_corner(const AreaShadow& lit, int u, int v);
   [[nodiscard]] vec3 area_shadow(const AreaShadow& lit, const AreaPart& part, int level);
   [[nodiscard]] vec3 shadow_factor(const Hit& hit, dvec3 l, const Containment& inside) const;
   [[nodiscard]] vec3 shadow_factor(const View& view, const Containment& inside) const;
 
+  // media.cpp
+  [[nodiscard]] MediaEffect media_along(const Path& path, double depth, const Hit* hit);
+  [[nodiscard]] vec3 light_through_bodies(const Ray& ray, double depth, const Containment& inside);
+  [[nodiscard]] vec3 light_through_air(const Ray& ray, double depth, const Containment& inside);
+
+  // When a path is not worth following.
+  struct Limits {
+    int max_level = 0;
+    float adc = 0;
+  };
+  [[nodiscard]] const Limits& limits(const Path& path) const { return limits_[path.bounce]; }
+
   const CompiledScene* scene_;
   Scratch* scratch_;
-  int max_level_;
-  float adc_;
+  std::array<Limits, IrradianceCache::max_depth + 1> limits_;  // by bounce
   bool alpha_;
   bool legacy_opacity_;
   bool translucent_shadows_;
-  bool air_;  // there is fog or the like
+  bool air_;     // there is fog or the like …
+  bool in_air_;  // … or there are media …
+  bool gathers_air_ = false;  // … and rays that gather indirect light see it
   Quality quality_;
 };
 

@@ -54,6 +54,32 @@ TEST_CASE("bernstein: double roots keep the parity of the ends", "[base][roots]"
   }
 }
 
+TEST_CASE("bernstein: whether the sign changes is known without the places", "[base][roots]") {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> uniform(-0.5, 1.5);
+  for (int i = 0; i < 20000; ++i) {
+    const double a = uniform(random);
+    const double b = uniform(random);
+    const Bernstein<6> p = with_roots({a, b, uniform(random), uniform(random), -1, 3});
+    CAPTURE(i);
+    REQUIRE(has_sign_change<6>(p) == (sign_changes<6>(p).count > 0));
+  }
+}
+
+TEST_CASE("bernstein: a quadratic's root is exact, however small a coefficient is",
+          "[base][roots]") {
+  for (const Bernstein<2> b : {Bernstein<2>{1e-12, 1, -1}, Bernstein<2>{-1e-12, -1, 1},
+                               Bernstein<2>{1, 1e-9, -1e-14}, Bernstein<2>{-3, 0, 1},
+                               Bernstein<2>{1, -5, -1e-15}, Bernstein<2>{2, 0, -2}}) {
+    const auto roots = sign_changes<2>(b);
+    REQUIRE(roots.count == 1);
+    const double x = roots.values[0];
+    const double least = std::max({std::abs(b[0]), std::abs(b[1]), std::abs(b[2])});
+    CHECK(std::abs(value_and_slope<2>(b, x).value) <= 4e-16 * least);
+  }
+  CHECK(sign_changes<2>(Bernstein<2>{-1, 0, 0}).values[0] == 1);
+}
+
 TEST_CASE("bernstein: a zero at the beginning does not hide the change of sign", "[base][roots]") {
   const auto roots = sign_changes<2>(Bernstein<2>{0, 1, -1});  // 2 x (1 - x) - x^2
   REQUIRE(roots.count == 1);

@@ -57,6 +57,7 @@ TEST_CASE("command line: a command is the first word that is no option", "[cli][
 TEST_CASE("command line: help and version are asked for, not rendered", "[cli][words]") {
   CHECK(read({"--help"}).request == Request::help);
   CHECK(read({"+W80", "--version"}).request == Request::version);
+  CHECK(read({"--print-stdlib-path"}).request == Request::stdlib_path);
   CHECK(read({"a.pov"}).request == Request::render);
 }
 

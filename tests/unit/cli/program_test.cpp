@@ -97,6 +97,18 @@ TEST_CASE("program: parse says nothing about good files", "[cli][program]") {
   CHECK(run("parse").code == 1);
 }
 
+TEST_CASE("program: the standard library is found, and explained", "[cli][program][doc]") {
+  const test::Folder folder;
+  std::string path = run("--print-stdlib-path").out;
+  while (!path.empty() && path.back() == '\n') path.pop_back();
+  CHECK(fs::exists(path + "/colors.inc"));
+  CHECK(has(run("doc Round_Box").out, "macro of shapes.inc"));
+  CHECK(has(run("doc torus agate '#while'").out, "directive"));
+  const Run wrong = run("doc Round_Bax");
+  CHECK(wrong.code == 1);
+  CHECK(has(wrong.err, "did you mean `Round_Box`?"));
+}
+
 TEST_CASE("program: help and version go to standard output", "[cli][program]") {
   const test::Folder folder;
   CHECK(has(run("--version").out, "durer "));

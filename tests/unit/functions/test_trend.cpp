@@ -1,8 +1,10 @@
 // Ranges of values and slopes over boxes, against points and differences.
 #include <random>
 
+#include "functions/box_trends.h"
 #include "functions/evaluate.h"
 #include "functions/internals.h"
+#include "functions/waves.h"
 #include "tests/support/catch.h"
 #include "tests/unit/functions/parse_function.h"
 
@@ -40,10 +42,10 @@ int escapes(const Trend& t, const Box& box, std::mt19937& rng, Value value) {
     const auto q = point_in(box, rng);
     const double vp = value(p);
     const double vq = value(q);
-    if (!t.v.contains(vp)) ++escaped;
-    if (t.v.nan || vp != vp || vq != vq) continue;
+    if (!t.range().contains(vp)) ++escaped;
+    if (t.nan() || vp != vp || vq != vq) continue;
     Interval change;
-    for (std::size_t i = 0; i < 3; ++i) change += t.d[i] * Interval(q[i] - p[i]);
+    for (std::size_t i = 0; i < 3; ++i) change += t.slope(i) * Interval(q[i] - p[i]);
     const double slack = 1e-9 * (1 + std::abs(vp) + std::abs(vq));
     if (!Interval{change.lo - slack, change.hi + slack, change.nan}.contains(vq - vp)) ++escaped;
   }
@@ -111,7 +113,101 @@ TEST_CASE("trend: small boxes away from kinks know their slopes well", "[functio
   const Trend t = evaluate_trend(f, box, w);
   const Dual d = evaluate_gradient(f, {0.5005, 0.2005, 0.7005}, w);
   for (std::size_t i = 0; i < 3; ++i) {
-    CHECK(t.d[i].contains(d.d[static_cast<int>(i)]));
-    CHECK(t.d[i].hi - t.d[i].lo < 0.02);
+    CHECK(t.slope(i).contains(d.d[static_cast<int>(i)]));
+    CHECK(t.slope(i).hi - t.slope(i).lo < 0.02);
+  }
+}
+
+TEST_CASE("circle: sines and cosines are those of the C library, nearly", "[base][circle]") {
+  std::mt19937 rng(13);
+  std::uniform_real_distribution<double> u(-1, 1);
+  for (int i = 0; i < 20000; ++i) {
+    const double a = u(rng) * std::pow(10.0, 6 * std::abs(u(rng)) - 0.1);
+    const double b = std::round(a) * 1.5707963267948966 + u(rng) * 1e-9;
+    if (!fits_circle(a) || !fits_circle(b)) continue;
+    const PairOnCircle c = on_circle(DoublePair{a, b});
+    CAPTURE(a, b);
+    CHECK(std::abs(c.sine[0] - std::sin(a)) <= 4e-16);
+    CHECK(std::abs(c.cosine[0] - std::cos(a)) <= 4e-16);
+    CHECK(std::abs(c.sine[1] - std::sin(b)) <= 4e-16);
+    CHECK(std::abs(c.cosine[1] - std::cos(b)) <= 4e-16);
+  }
+}
+
+TEST_CASE("circle: ranges hold the sines and cosines in them, and not much else",
+          "[base][circle]") {
+  std::mt19937 rng(14);
+  std::uniform_real_distribution<double> u(0, 1);
+  for (int i = 0; i < 5000; ++i) {
+    const double lo = 40 * u(rng) - 20;
+    const Interval a{lo, lo + std::pow(10.0, 4 * u(rng) - 3)};
+    const Circle c = circle_of(a);
+    Interval sines = std::sin(a.lo);
+    Interval cosines = std::cos(a.lo);
+    for (int k = 0; k <= 1000; ++k) {
+      const double v = a.lo + (a.hi - a.lo) * (k / 1000.0);
+      sines = hull(sines, std::sin(v));
+      cosines = hull(cosines, std::cos(v));
+    }
+    CAPTURE(a.lo, a.hi);
+    REQUIRE((c.sine.lo <= sines.lo && c.sine.hi >= sines.hi));
+    REQUIRE((c.cosine.lo <= cosines.lo && c.cosine.hi >= cosines.hi));
+    CHECK(sines.lo - c.sine.lo + c.sine.hi - sines.hi < 1e-4);
+    CHECK(cosines.lo - c.cosine.lo + c.cosine.hi - cosines.hi < 1e-4);
+  }
+}
+
+TEST_CASE("waves: taken together they are what they were alone", "[functions][waves]") {
+  Workspace w;
+  std::mt19937 rng(15);
+  std::uniform_real_distribution<double> u(-3, 3);
+  for (const char* body : {"sin(12*x)*cos(12*y) + sin(12*y)*cos(12*z) + sin(12*z)*cos(12*x)",
+                           "sin(x)", "cos(x + sin(y + cos(z)))*sin(x) + sin(1e9*x)",
+                           "sin(x)*f_noise3d(cos(x), y, sin(z + cos(x)))"}) {
+    const Function f = parse_function(body);
+    const Function g = with_waves(f);
+    CAPTURE(body);
+    CHECK(g.code.size() <= f.code.size());
+    for (int i = 0; i < 300; ++i) {
+      const std::array p{u(rng), u(rng), u(rng)};
+      const double at_p = evaluate(g, p, w);
+      CHECK(at_p == Approx(evaluate(f, p, w)).margin(1e-7));
+      const double* const columns[] = {&p[0], &p[1], &p[2]};
+      double batch = 0;
+      evaluate_batch(g, columns, 1, &batch, w);
+      CHECK(batch == at_p);
+      const Box box{Interval{p[0] - 0.1, p[0] + 0.2}, {p[1], p[1] + 0.01}, {p[2], p[2]}};
+      CHECK(evaluate_interval(g, box, w).contains(at_p));
+      CHECK(escapes(evaluate_trend(g, box, w), box, rng,
+                    [&](const auto& q) { return evaluate(g, q, w); }) == 0);
+    }
+  }
+}
+
+TEST_CASE("box trends: what is remembered of the last box changes no bit", "[functions][trend]") {
+  Workspace w;
+  std::mt19937 rng(16);
+  const auto share = [](const char* body) {
+    return std::make_shared<const Function>(with_waves(parse_function(body)));
+  };
+  const std::array functions{share("sin(3*x)*y + f_noise3d(x, 0, z) - cos(z)"),
+                             share("select(x - y, x*x, y*z)")};
+  const BoxTrends first(functions[0]);
+  const BoxTrends second(functions[1]);
+  BoxTrends::Memory memory;  // of one thread, whatever the function
+  Box box = random_box(rng);
+  for (int i = 0; i < 500; ++i) {
+    const Box fresh = random_box(rng);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (rng() % 2 == 0) box[k] = fresh[k];
+    }
+    const std::size_t which = rng() % 4 == 0 ? 1 : 0;
+    const Trend t = (which == 0 ? first : second)(box, w, memory);
+    const Trend expected = evaluate_trend(*functions[which], box, w);
+    const auto same = [](const Interval& a, const Interval& b) {
+      return a.lo == b.lo && a.hi == b.hi && a.nan == b.nan;
+    };
+    REQUIRE(same(t.range(), expected.range()));
+    for (std::size_t k = 0; k < 3; ++k) REQUIRE(same(t.slope(k), expected.slope(k)));
   }
 }

@@ -34,6 +34,41 @@ Encoding raw(int bits) {
 
 }  // namespace
 
+TEST_CASE("read: palettes of BMP and TGA files stay palettes", "[image][read]") {
+  const Folder folder;
+  const auto number = [](std::string& to, std::uint32_t n, int bytes) {
+    for (int i = 0; i < bytes; ++i) to += static_cast<char>((n >> (8 * i)) & 0xFFU);
+  };
+  std::string bmp = "BM";
+  for (const std::uint32_t n : {0U, 0U, 14U + 40 + 8, 40U, 3U, 2U}) number(bmp, n, 4);
+  number(bmp, 1, 2);
+  number(bmp, 1, 2);  // one bit a pixel
+  for (const std::uint32_t n : {0U, 0U, 0U, 0U, 2U, 0U}) number(bmp, n, 4);
+  for (const std::uint32_t bgr : {0x102030U, 0xFF0001U}) number(bmp, bgr, 4);
+  for (const std::uint32_t row : {0xA0U, 0x60U}) number(bmp, row, 4);  // 101, then 011 above it
+  std::string tga;
+  for (const std::uint32_t b : {0U, 1U, 9U, 0U, 0U, 2U, 0U, 24U, 0U, 0U, 0U, 0U, 3U, 0U, 2U, 0U, 8U, 0x20U}) {
+    number(tga, b, 1);
+  }
+  for (const std::uint32_t bgr : {0x102030U, 0xFF0001U}) number(tga, bgr, 3);
+  for (const std::uint32_t b : {0U, 0U, 0x82U, 1U, 1U, 0U, 1U}) number(tga, b, 1);
+  const auto check = [&](const char* name, const std::string& bytes) {
+    CAPTURE(name);
+    const std::string path = folder / name;
+    std::FILE* file = std::fopen(path.c_str(), "wb");
+    REQUIRE(file != nullptr);
+    std::fwrite(bytes.data(), 1, bytes.size(), file);
+    std::fclose(file);
+    const PictureRead read = image::read(path, "");
+    REQUIRE(read.picture != nullptr);
+    CHECK(read.picture->codes == std::vector<std::uint16_t>{0, 1, 1, 1, 0, 1});
+    REQUIRE(read.picture->palette.size() == 2);
+    CHECK(read.picture->palette[1] == std::array<std::uint8_t, 4>{0xFF, 0, 1, 255});
+  };
+  check("p.bmp", bmp);
+  check("p.tga", tga);
+}
+
 TEST_CASE("read: 8-bit formats give back their codes", "[image][read]") {
   const Folder folder;
   for (const char* name : {"png", "ppm", "bmp", "tga"}) {

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "scene/dump.h"
+
 namespace durer::interpreter::test {
 namespace {
 
@@ -89,6 +91,28 @@ Run run(const std::string& text, bool header, Options options, const std::string
     }
   }
   return r;
+}
+
+std::string seen(const std::string& text, bool shortcuts) {
+  SourceMap sources;
+  Diagnostics diagnostics(sources);
+  const FileId file = sources.add("test.pov", text);
+  std::string all;
+  Options options;
+  options.shortcuts = shortcuts;
+  options.on_debug = [&](std::string_view s) { all += s; };
+  const scene::Registry registry = {primitives, patterns, warps};
+  const auto made = interpret(sources, file, registry, options, diagnostics);
+  for (const Diagnostic& d : diagnostics.all()) {
+    const auto place = [&](Span span) {
+      const Place p = sources.place(span.begin);
+      return fmt::format("{}:{}", p.line, p.column);
+    };
+    all += fmt::format("\n{} at {}: {}", code_text(d.code), place(d.span), d.message);
+    for (const durer::Frame& f : d.trace) all += fmt::format("\n  {} at {}", f.text, place(f.span));
+  }
+  if (made) all += "\n" + scene::dump_text(*made, registry, &sources, scene::DumpStyle::text);
+  return all;
 }
 
 std::string text_of(const std::string& expression, const std::string& before) {

@@ -26,6 +26,10 @@ struct Run {
 Run run(const std::string& text, bool header = true, Options options = {},
         const std::string& path = "test.pov");
 
+/// Everything that can be seen of a run, as text: the scene with its places, what was printed, all
+/// messages and how their places were reached.
+std::string seen(const std::string& text, bool shortcuts);
+
 /// What `#debug` prints for a string expression.
 std::string text_of(const std::string& expression, const std::string& before = {});
 /// What `str(expression, 0, decimals)` gives.

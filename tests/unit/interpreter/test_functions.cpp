@@ -22,6 +22,14 @@ class FakePigments final : public scene::PigmentQueries {
     };
     return e;
   }
+  functions::External inside_function(const scene::Scene&, scene::ObjectId) override {
+    functions::External e;
+    e.name = "inside";
+    e.point = [](const void*, const functions::Context&, const double* p, double* out) {
+      *out = p[0] > 0 ? 1 : 0;
+    };
+    return e;
+  }
   functions::External pigment_function(const scene::Scene&, const scene::Pigment&) override {
     functions::External e;
     e.name = "pigment";

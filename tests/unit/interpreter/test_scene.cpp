@@ -19,7 +19,7 @@ TEST_CASE("scene: operands with and without commas", "[interpreter][objects]") {
        {"sphere { <1,2,3>, 4 }", "sphere { <1,2,3> 4 }", "sphere { <1 2 3> 4 }"}) {
     const Run r = run(text);
     REQUIRE(r.scene);
-    CHECK(root(r).args == std::vector<double>{1, 2, 3, 4});
+    CHECK(root(r).args == SharedList<double>{1, 2, 3, 4});
   }
   CHECK(error_of("sphere { 0, 1, }").substr(0, 2) == "D0");
   CHECK(error_of("box { -1 -2 }").substr(0, 5) == "D0202");

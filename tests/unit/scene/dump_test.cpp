@@ -72,6 +72,7 @@ TEST_CASE("dump: JSON has every field of every struct", "[scene][dump]") {
   scene.roots.emplace_back();
   scene.lights.emplace_back();
   scene.interiors.emplace_back();
+  scene.atmosphere.emplace_back();
   Texture texture;
   texture.layers.emplace_back();
   texture.layers[0].pigment.edit().entries.emplace_back();
@@ -86,6 +87,7 @@ TEST_CASE("dump: JSON has every field of every struct", "[scene][dump]") {
   check_names<Root>(json["roots"][0]);
   check_names<Light>(json["lights"][0]);
   check_names<Interior>(json["interiors"][0]);
+  check_names<Media>(json["atmosphere"][0]);
   check_names<Texture>(json["textures"][0]);
   check_names<Layer>(json["textures"][0]["layers"][0]);
   check_names<Finish>(json["textures"][0]["layers"][0]["finish"]);
@@ -137,6 +139,7 @@ TEST_CASE("dump: text leaves out what has its default", "[scene][dump]") {
         "      more <7, 8>\n"
         "textures\n"
         "interiors\n"
+        "atmosphere\n"
         "meshes\n");
 }
 

@@ -51,7 +51,7 @@ class Definition {
     if (o.kind == NodeKind::primitive) {
       const PrimitiveType& type = *primitive_types()[o.type];
       node->stores = type.make_stores();
-      node->ref = *type.place(node->stores, o.args, inner, inverted);
+      node->ref = *place_object(type, node->stores, o, {}, inner, inverted);
       if (counts) node->leaf = leaves_++;
     } else {
       const bool cuts = o.kind == NodeKind::intersection || o.kind == NodeKind::difference;
@@ -62,7 +62,11 @@ class Definition {
         node->children.push_back(make(o.children[i], inner, inverted != subtracted, counts));
       }
     }
+    // Patches take no notice of clips of their own.
+    const bool deaf = o.kind == NodeKind::primitive &&
+                      primitive_types()[o.type]->name == "bicubic_patch";
     for (const ObjectId clip : o.extras->clips) {
+      if (deaf) break;
       node->clips.push_back(make(clip, o.extras->clip_transform.then(outer), false, false));
     }
     return node;
@@ -121,6 +125,7 @@ Object random_primitive(Random& random) {
   const auto& type = *types[random() % types.size()];
   const auto samples = type.samples();
   Object o = primitive(type.name, samples[random() % samples.size()]);
+  o.origin = o.type;  // tells which sort was hit
   const double scale = type.name == "plane" || type.name == "disc" ? 1 : uniform(random, 0.5, 2);
   o.transform = Transform::scale(dvec3(scale, 1, uniform(random, 0.5, 2)))
                     .then(Transform::rotate_deg(point_in_cube(random, 180)))
@@ -136,10 +141,9 @@ ObjectId random_tree(SceneBuilder& b, Random& random, int depth) {
     constexpr NodeKind kinds[] = {NodeKind::union_, NodeKind::merge, NodeKind::intersection,
                                   NodeKind::difference};
     o.kind = kinds[random() % 4];
-    const std::size_t children = 2 + random() % 3;
-    for (std::size_t i = 0; i < children; ++i) {
-      o.children.push_back(random_tree(b, random, depth - 1));
-    }
+    std::vector<ObjectId> children(2 + random() % 3);
+    for (ObjectId& child : children) child = random_tree(b, random, depth - 1);
+    o.children = children;
     o.transform = Transform::rotate_deg(point_in_cube(random, 180));
   }
   o.inverse = random() % 6 == 0;
@@ -185,7 +189,9 @@ TEST_CASE("csg: random solids show the surfaces that the definition shows", "[tr
         t_from = hit.t + 1e-9 * std::max(1.0, hit.t);
         ++compared;
       }
-      REQUIRE_FALSE(geometry.closest(ray, t_from, 1e6, RayKind::image, hit, *scratch));
+      const bool more = geometry.closest(ray, t_from, 1e6, RayKind::image, hit, *scratch);
+      CAPTURE(hit.t, t_from, primitive_types()[geometry.leaves()[hit.leaf].origin]->name);
+      REQUIRE_FALSE(more);
     }
   }
   CHECK(compared > 20000);

@@ -167,6 +167,41 @@ TEST_CASE("height_field: the oracle's hits, flat and smooth", "[tracer][height_f
   check(only(product_field(true)), down, {0.7, 0.5624847, 0.2}, {-0.585618, 0.627523, 0.513095});
 }
 
+TEST_CASE("curves: the nearest hit is the first crossing, and shadows fall where there is one",
+          "[tracer][curves]") {
+  Random random(11);
+  for (const char* name : {"blob", "prism", "text", "lathe", "sphere_sweep"}) {
+    const PrimitiveType& type = *primitive_types()[type_named(name)];
+    for (const std::vector<double>& args : type.samples()) {
+      TypeStores stores = type.make_stores();
+      const auto ref = type.place(stores, args, {}, false);
+      REQUIRE(ref);
+      ref->store->tags[ref->shape].mask = 0xFF;
+      for (int i = 0; i < 3000; ++i) {
+        const Ray ray{point_in_cube(random, 2.5), direction(random)};
+        const double t_from = 0.02;
+        const double t_to = uniform(random, 0.1, 6);
+        const auto ask = [&](bool any) {
+          RayQuery query{ray, t_from, t_to, 0xFF, {}, nullptr, nullptr, any};
+          ref->store->nearest(*ref->store, ref->shape, query);
+          return query;
+        };
+        const RayQuery found = ask(false);
+        CAPTURE(name, args, i);
+        REQUIRE((ask(true).found.store != nullptr) == (found.found.store != nullptr));
+        if (name == std::string("lathe")) continue;  // has no inside near its axis
+        Crossings crossings;
+        std::vector<std::uint32_t> begun;
+        const LeafShape leaf{0, ref->shape};
+        ref->store->crossings(std::span(&leaf, 1), ray, crossings, begun);
+        const auto first = first_visible(crossings, t_from, t_to);
+        REQUIRE(first.has_value() == (found.found.store != nullptr));
+        if (first) REQUIRE(found.t_to == Approx(first->t).epsilon(1e-9));
+      }
+    }
+  }
+}
+
 TEST_CASE("curves: boxes end where the oracle's do", "[tracer][extent]") {
   const auto box = [](const char* type, std::vector<double> args) {
     const PrimitiveType& t = *primitive_types()[type_named(type)];

@@ -108,14 +108,14 @@ TEST_CASE("flatten: children without an interior share their parent's", "[tracer
   b.show(ball());
   const Flat f = flat(b);
   REQUIRE(f.leaves.size() == 5);
-  CHECK(f.leaves[0].interior == f.leaves[2].interior);
-  CHECK(f.leaves[1].interior != f.leaves[0].interior);
-  CHECK(f.leaves[3].interior != f.leaves[1].interior);  // the same block, another instance
-  CHECK(f.leaves[4].interior != f.leaves[0].interior);
-  CHECK(f.interiors[f.leaves[1].interior].interior == 1);
-  CHECK(f.interiors[f.leaves[0].interior].interior == scene::none);
-  CHECK(f.interiors[f.leaves[1].interior].hollow);
-  CHECK_FALSE(f.interiors[f.leaves[4].interior].hollow);
+  CHECK(f.leaves[0].inner_interior == f.leaves[2].inner_interior);
+  CHECK(f.leaves[1].inner_interior != f.leaves[0].inner_interior);
+  CHECK(f.leaves[3].inner_interior != f.leaves[1].inner_interior);  // the same block, another instance
+  CHECK(f.leaves[4].inner_interior != f.leaves[0].inner_interior);
+  CHECK(f.world.interiors[f.leaves[1].inner_interior].interior == 1);
+  CHECK(f.world.interiors[f.leaves[0].inner_interior].interior == scene::none);
+  CHECK(f.world.interiors[f.leaves[1].inner_interior].hollow);
+  CHECK_FALSE(f.world.interiors[f.leaves[4].inner_interior].hollow);
 }
 
 TEST_CASE("flatten: lights move with the objects that hold them", "[tracer][flatten]") {

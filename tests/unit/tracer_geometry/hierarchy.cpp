@@ -16,6 +16,7 @@ SceneBuilder jumble(std::uint64_t seed, int count, double half, dvec3 middle) {
       const auto& type = *types[random() % types.size()];
       const auto samples = type.samples();
       scene::Object o = primitive(type.name, samples[random() % samples.size()]);
+      o.origin = o.type;  // tells which sort was hit
       o.transform = Transform::scale(dvec3(std::exp(uniform(random, -3, 1))))
                         .then(Transform::rotate_deg(point_in_cube(random, 180)))
                         .then(Transform::translate(middle + point_in_cube(random, half)));
@@ -72,6 +73,10 @@ TEST_CASE("hierarchy: Embree finds the hits of the linear scan", "[tracer][accel
     REQUIRE(embree.closest(ray, t_min, no_hit_depth, RayKind::image, e, *embree_scratch) == found);
     if (found) {
       ++hits;
+      const auto type_of = [](const Geometry& g, const Hit& hit) {
+        return primitive_types()[g.leaves()[hit.leaf].origin]->name;
+      };
+      CAPTURE(type_of(linear, a), type_of(embree, e), e.t - a.t);
       REQUIRE(e.t == a.t);
       REQUIRE(e.leaf == a.leaf);
       REQUIRE(e.n == a.n);

@@ -76,12 +76,14 @@ TEST_CASE("lights: groups keep their lamps to themselves", "[tracer][lights]") {
   lamp.light = 1;
   scene::Object disc = s.blocker("disc", rgbft(1, 1, 1));
   disc.args = {0, 0, -1, 0, 0, 1, 1, 0};
-  disc.texture = s.scene.objects[1].texture;
+  disc.texture = s.scene.objects[1].texture;  // the wall's
   s.scene.roots.pop_back();
+  std::vector<scene::ObjectId> children;
   for (const scene::Object& o : {lamp, disc}) {
     s.scene.objects.push_back(o);
-    group.children.push_back(static_cast<scene::ObjectId>(s.scene.objects.size() - 1));
+    children.push_back(static_cast<scene::ObjectId>(s.scene.objects.size() - 1));
   }
+  group.children = children;
   s.root(group);
   SECTION("inside") { check_pixel(s.scene, vec3(global ? 0.75F : 0.25F)); }
   SECTION("outside, in the shadow of the group") {

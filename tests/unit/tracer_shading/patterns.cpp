@@ -67,7 +67,9 @@ TEST_CASE("patterns: lists are complete and maps have keys in order", "[tracer][
   for (const PatternType* type : pattern_types()) {
     CAPTURE(type->name);
     const auto& map = type->default_map;
-    REQUIRE(map.empty() == (type->averages || type->only_normal));
+    const bool needs_none = type->averages || type->only_normal || type->only_pigment ||
+                            type->only_texture;
+    REQUIRE(map.empty() == needs_none);
     if (type->list_size > 0) {
       REQUIRE(map.size() == static_cast<std::size_t>(type->list_size));
       for (std::size_t i = 0; i < map.size(); ++i) CHECK(map[i].key == static_cast<float>(i));

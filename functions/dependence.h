@@ -1,0 +1,12 @@
+// Which instructions of a tape depend on which parameter. Private to this folder.
+#pragma once
+
+#include "functions/tape.h"
+
+namespace durer::functions {
+
+/// The tape without the instructions whose results stay if only the parameters in `changed` change
+/// (bit i: parameter i). A tape with branches or loops is kept as a whole.
+[[nodiscard]] Function depending_on(const Function& f, unsigned changed);
+
+}  // namespace durer::functions

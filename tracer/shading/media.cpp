@@ -1,0 +1,168 @@
+#include "tracer/shading/media.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tracer/patterns/patterns.h"
+
+namespace durer::tracer {
+namespace {
+
+bool black(vec3 c) { return c == vec3(0.0F); }
+
+// A rough order of what patterns cost: noise in them, or before them.
+int cost(const scene::Pigment& d) {
+  int sum = static_cast<int>(d.pattern.warps.size());
+  if (d.pattern.function || d.pattern.pigment) sum += 4;
+  const std::string_view name = pattern_types()[d.pattern.type]->name;
+  for (const std::string_view cheap :
+       {"spherical", "planar", "cylindrical", "boxed", "gradient", "onion", "radial"}) {
+    if (name == cheap) return sum;
+  }
+  return sum + 4;
+}
+
+// The share of chi-square distributed numbers beyond x. Source: Press et al., Numerical Recipes,
+// "Incomplete Gamma Function"; accurate to 1e-12.
+double chi_square_tail(double x, int freedom) {
+  constexpr double tiny = 1e-300;
+  constexpr double enough = 1e-14;
+  constexpr int most = 100000;
+  const double a = freedom / 2.0;
+  x /= 2;
+  if (x <= 0) return 1;
+  const double front = std::exp(-x + a * std::log(x) - std::lgamma(a));
+  if (x < a + 1) {
+    double term = 1 / a;
+    double sum = term;
+    for (int n = 1; n < most && term > sum * enough; ++n) sum += term *= x / (a + n);
+    return 1 - sum * front;
+  }
+  double b = x + 1 - a;
+  double c = 1 / tiny;
+  double d = 1 / b;
+  double h = d;
+  for (int i = 1; i < most; ++i) {
+    const double an = -i * (i - a);
+    b += 2;
+    d = an * d + b;
+    if (std::abs(d) < tiny) d = tiny;
+    c = b + an / c;
+    if (std::abs(c) < tiny) c = tiny;
+    d = 1 / d;
+    h *= d * c;
+    if (std::abs(d * c - 1) < enough) break;
+  }
+  return front * h;
+}
+
+// After how much variance sampling stops (participating-and-global §1.8).
+std::vector<double> thresholds(const scene::Media& m) {
+  const auto n = static_cast<std::size_t>(m.max_samples);
+  std::vector<double> out(n, 0.0);
+  if (n == 1 || m.max_samples <= m.min_samples) return out;
+  const double whole = chi_square_bound(m.confidence, m.max_samples - 1);
+  const double scale = whole > 0 ? m.variance / whole : m.variance * epsilon;
+  for (std::size_t i = 0; i < n; ++i) {
+    out[i] = scale * chi_square_bound(m.confidence, static_cast<int>(i) + 1);
+  }
+  return out;
+}
+
+MediaProgram compile(const scene::Media& in) {
+  MediaProgram out;
+  out.emission = in.emission;
+  out.scattering = in.scattering;
+  out.extinction = in.absorption + static_cast<float>(in.extinction) * in.scattering;
+  out.phase = in.phase;
+  out.eccentricity = in.eccentricity;
+  out.collects = in.collect;
+  out.scatters = !black(in.scattering);
+  out.dims = !black(in.absorption) || out.scatters;
+  out.has_density = !in.densities.empty();
+  out.constant = in.densities.empty() || !in.densities.back().pattern.exists();
+  out.method = in.method;
+  out.intervals = in.intervals;
+  out.min_samples = in.min_samples;
+  out.max_samples = in.max_samples;
+  out.ratio = in.ratio;
+  out.jitter = in.jitter;
+  out.aa_threshold = in.aa_threshold;
+  out.aa_level = in.aa_level;
+  if (in.method != 3) out.thresholds = thresholds(in);
+  return out;
+}
+
+}  // namespace
+
+MediaRange MediaStore::add(std::span<const scene::Media> media, const Transform& to_world) {
+  MediaRange range{static_cast<std::uint32_t>(media_.size()), 0};
+  for (const scene::Media& m : media) {
+    MediaProgram program = compile(m);
+    std::vector<const scene::Pigment*> patterned;
+    for (const scene::Pigment& d : m.densities) {
+      if (d.pattern.exists()) {
+        patterned.push_back(&d);
+      } else {
+        program.density *= d.colour.rgb;
+      }
+    }
+    // The first one that is zero spares the others.
+    std::stable_sort(patterned.begin(), patterned.end(),
+                     [](const auto* a, const auto* b) { return cost(*a) < cost(*b); });
+    program.varies = !patterned.empty();
+    program.first_density = static_cast<std::uint32_t>(densities_.size());
+    for (const scene::Pigment* d : patterned) densities_.push_back(pigments_.add(*d, to_world));
+    program.end_density = static_cast<std::uint32_t>(densities_.size());
+    media_.push_back(std::move(program));
+  }
+  range.end = static_cast<std::uint32_t>(media_.size());
+  return range;
+}
+
+vec3 MediaStore::density(const MediaProgram& media, dvec3 p) const {
+  vec3 product = media.density;
+  for (std::uint32_t i = media.first_density; i < media.end_density && !black(product); ++i) {
+    product *= pigments_.at(densities_[i], p).rgb;
+  }
+  return product;
+}
+
+double phase_factor(const MediaProgram& media, double cosine) {
+  const auto eighth_power = [](double x) {
+    x *= x;
+    x *= x;
+    return x * x;
+  };
+  switch (media.phase) {
+    case scene::Phase::isotropic: return 1;
+    case scene::Phase::mie_hazy: return 0.576655375 * (1 + 9 * eighth_power((1 + cosine) / 2));
+    case scene::Phase::mie_murky: {
+      const double x = eighth_power((1 + cosine) / 2);
+      return 0.495714547 * (1 + 50 * (x * x) * (x * x));
+    }
+    case scene::Phase::rayleigh: return 0.799372013 * (1 + cosine * cosine);
+    case scene::Phase::henyey_greenstein: {
+      const double g = media.eccentricity;
+      const double x = 1 + g * g - 2 * g * cosine;
+      return (1 - g * g) / (x * std::sqrt(x));
+    }
+  }
+  return 1;
+}
+
+double chi_square_bound(double probability, int freedom) {
+  if (probability >= 1) return 0;
+  if (probability <= 0) return std::numeric_limits<double>::infinity();
+  double lo = 0;
+  double hi = freedom + 10;
+  while (chi_square_tail(hi, freedom) > probability) hi *= 2;
+  for (int i = 0; i < 200 && hi - lo > 1e-12 * hi; ++i) {
+    const double mid = (lo + hi) / 2;
+    (chi_square_tail(mid, freedom) > probability ? lo : hi) = mid;
+  }
+  return (lo + hi) / 2;
+}
+
+}  // namespace durer::tracer

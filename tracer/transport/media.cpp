@@ -1,0 +1,309 @@
+#include "tracer/transport/media.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+
+#include "tracer/random.h"
+
+namespace durer::tracer {
+namespace {
+
+float distance(vec3 a, vec3 b) {
+  return std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z);
+}
+
+bool black(vec3 c) { return c == vec3(0.0F); }
+
+// Depths beyond which nothing is left in single precision.
+bool black_behind(vec3 depth) {
+  constexpr float most = 104;
+  return depth.x > most && depth.y > most && depth.z > most;
+}
+
+}  // namespace
+
+MediaIntegrator::MediaIntegrator(Tracer& tracer, const Ray& ray, double depth,
+                                 const Setting& setting)
+    : tracer_(tracer),
+      scene_(*tracer.scene_),
+      scratch_(*tracer.scratch_),
+      ray_(ray),
+      length_(depth),
+      setting_(setting),
+      first_(static_cast<std::uint32_t>(scratch_.media.size())),
+      end_(first_) {}
+
+MediaIntegrator::~MediaIntegrator() { scratch_.media.resize(first_); }
+
+void MediaIntegrator::add(MediaRange range) {
+  for (std::uint32_t i = range.first; i < range.end; ++i) scratch_.media.push_back(i);
+  end_ = static_cast<std::uint32_t>(scratch_.media.size());
+}
+
+const MediaProgram& MediaIntegrator::media(std::uint32_t i) const {
+  return scene_.media[scratch_.media[i]];
+}
+
+MediaEffect MediaIntegrator::integrate() {
+  MediaEffect effect;
+  if (first_ == end_) return effect;
+  find_leader();
+  if (setting_.shadow && !dims_) return effect;
+  if (setting_.shadow) {
+    divide({0, length_, false}, leader_->has_density ? leader_->intervals : 1, effect);
+  } else {
+    find_parts();
+    const std::vector<LitPart>& parts = scratch_.lit_parts;
+    const auto n = static_cast<int>(parts.size());
+    const int wanted = std::max(leader_->intervals, n);
+    if (n == 1) {
+      const bool whole = !parts[0].lit && !leader_->has_density;
+      divide(parts[0], whole ? 1 : wanted, effect);
+    } else {
+      double sum = 0;
+      const auto weight = [&](const LitPart& p) {
+        return p.lit ? leader_->ratio : 1 - leader_->ratio;
+      };
+      for (const LitPart& p : parts) sum += weight(p);
+      int left = wanted;
+      for (int i = 0; i < n; ++i) {
+        const LitPart part = parts[static_cast<std::size_t>(i)];
+        const int share = static_cast<int>(weight(part) / sum * wanted) + 1;
+        const int count = std::min(share, left - n + i + 1);
+        divide(part, count, effect);
+        left -= count;
+      }
+    }
+  }
+  effect.kept = glm::exp(-effect.depth);
+  return effect;
+}
+
+void MediaIntegrator::find_leader() {
+  leader_ = &media(first_);
+  aa_threshold_ = static_cast<float>(leader_->aa_threshold);
+  for (std::uint32_t i = first_; i < end_; ++i) {
+    const MediaProgram& m = media(i);
+    if (m.intervals > leader_->intervals) leader_ = &m;
+    aa_threshold_ = std::min(aa_threshold_, static_cast<float>(m.aa_threshold));
+    constant_ = constant_ && m.constant;
+    varies_ = varies_ || m.varies;
+    scatters_ = scatters_ || m.scatters;
+    dims_ = dims_ || m.dims;
+  }
+}
+
+void MediaIntegrator::find_parts() {
+  scratch_.lamp_spans.clear();
+  scratch_.lit_parts.clear();
+  find_lit_parts(scene_.lights, setting_.lamps, ray_, length_, scratch_.lamp_spans,
+                 scratch_.lit_parts);
+}
+
+void MediaIntegrator::divide(const LitPart& part, int count, MediaEffect& effect) {
+  const double length = (part.to - part.from) / count;
+  for (int i = 0; i < count && !black_behind(effect.depth); ++i) {
+    integrate({part.from + i * length, length, part.lit}, effect);
+  }
+}
+
+void MediaIntegrator::integrate(const Interval& interval, MediaEffect& effect) {
+  Sample s;
+  if (!varies_ && !(interval.lit && scatters_) && leader_->method == 3) {
+    s = uniform(interval);
+  } else if (leader_->method != 3 || (setting_.shadow && constant_)) {
+    s = sampled(interval);
+  } else {
+    s = adaptive(interval);
+  }
+  effect.added += s.colour * glm::exp(-effect.depth);
+  effect.depth += s.depth;
+}
+
+// Methods 1 and 2 (participating-and-global §1.8): samples at random, or one in each of so many
+// equal parts; then more at random, until the mean is known well enough.
+MediaIntegrator::Sample MediaIntegrator::sampled(const Interval& interval) {
+  const MediaProgram& m = *leader_;
+  const int first = setting_.shadow && constant_ ? 1 : m.min_samples;
+  Sample sum;
+  vec3 squares(0.0F);
+  const auto take = [&](double u) {
+    const Sample s = dimmed(interval, u);
+    sum.colour += s.colour;
+    sum.depth += s.depth;
+    squares += s.colour * s.colour;
+  };
+  for (int j = 0; j < first; ++j) {
+    const double r = random();
+    take(m.method == 1 ? r : (j + 0.5 + r * m.jitter) / m.min_samples);
+  }
+  int n = first;
+  const auto uncertain = [&] {
+    const auto count = static_cast<float>(n);
+    const vec3 mean = sum.colour / count;
+    const vec3 v = (squares / count - mean * mean) / count;
+    const auto most = static_cast<float>(m.thresholds[static_cast<std::size_t>(n - 1)]);
+    return v.x >= most || v.y >= most || v.z >= most;
+  };
+  if (!setting_.shadow && n < m.max_samples) {
+    while (n <= m.max_samples && uncertain()) {
+      take(random());
+      ++n;
+    }
+  }
+  const auto count = static_cast<float>(n);
+  return {sum.colour / count, sum.depth / count};
+}
+
+namespace {
+
+// Steps of method 3, which leave out the last of `steps + 1` equal parts: as the oracle has it.
+int steps_of(const MediaProgram& m) { return std::max(2, m.min_samples / 2 + 1); }
+
+}  // namespace
+
+// What `adaptive` comes to where all samples are the same.
+MediaIntegrator::Sample MediaIntegrator::uniform(const Interval& interval) {
+  const int steps = steps_of(*leader_);
+  const Sample s = at(interval, 0);
+  const vec3 dimming = glm::exp(-s.depth / static_cast<float>(steps));
+  vec3 sum(0.0F);
+  vec3 dim(1.0F);
+  for (int j = 0; j < steps; ++j, dim *= dimming) sum += s.colour * dim;
+  return {sum / static_cast<float>(steps), s.depth};
+}
+
+// Method 3 (participating-and-global §1.9): equal steps, each divided where samples differ.
+MediaIntegrator::Sample MediaIntegrator::adaptive(const Interval& interval) {
+  const MediaProgram& m = *leader_;
+  const int steps = steps_of(m);
+  const auto count = static_cast<float>(steps);
+  const double step = 1.0 / (steps + 1);
+  const auto shake = [&] { return m.jitter == 0 ? 0 : step * m.jitter * (random() - 0.5); };
+  Sample sum;
+  double before = 0;
+  Sample last = at(interval, shake());
+  for (int j = 1; j <= steps; ++j) {
+    const double u = j * step;
+    const Sample next = at(interval, u + shake());
+    const Sample mean = refine(interval, before, u, last, next, m.aa_level - 1);
+    sum.colour += mean.colour * glm::exp(-sum.depth / count);
+    sum.depth += mean.depth;
+    before = u;
+    last = next;
+  }
+  return {sum.colour / count, sum.depth / count};
+}
+
+// The mean between two places, by Simpson-like weights that the oracle has chosen.
+MediaIntegrator::Sample MediaIntegrator::refine(const Interval& interval, double a, double b,
+                                                const Sample& at_a, const Sample& at_b,
+                                                int level) {
+  const double mid = (a + b) / 2;
+  const double jitter = leader_->jitter;
+  const Sample at_mid = at(interval, jitter == 0 ? mid : mid + jitter * (b - a) * (random() - 0.5));
+  if (level <= 0) {
+    return {(at_a.colour + at_mid.colour + at_b.colour) / 3.0F,
+            (at_a.depth + at_mid.depth + at_b.depth) / 3.0F};
+  }
+  const auto half = [&](double from, double to, const Sample& first, const Sample& second,
+                        const Sample& outer) {
+    if (distance(first.colour, second.colour) > aa_threshold_) {
+      const Sample r = refine(interval, from, to, first, second, level - 1);
+      return Sample{r.colour / 2.0F, r.depth / 2.0F};
+    }
+    return Sample{outer.colour / 3.0F + at_mid.colour / 6.0F,
+                  outer.depth / 3.0F + at_mid.depth / 6.0F};
+  };
+  const Sample left = half(a, mid, at_a, at_mid, at_a);
+  const Sample right = half(mid, b, at_mid, at_b, at_b);
+  return {left.colour + right.colour, left.depth + right.depth};
+}
+
+MediaIntegrator::Sample MediaIntegrator::at(const Interval& interval, double u) {
+  const double t = interval.t + u * interval.length;
+  const dvec3 p = ray_.at(t);
+  vec3 extinction(0.0F);
+  vec3 emission(0.0F);
+  vec3 scattering(0.0F);
+  for (std::uint32_t i = first_; i < end_; ++i) {
+    const MediaProgram& m = media(i);
+    if (setting_.shadow && !m.dims) continue;
+    const vec3 density = m.varies ? scene_.media.density(m, p) : m.density;
+    extinction += density * m.extinction;
+    emission += density * m.emission;
+    scattering += density * m.scattering;
+  }
+  const auto length = static_cast<float>(interval.length);
+  if (setting_.shadow) return {vec3(0.0F), extinction * length};
+  if (interval.lit && !black(scattering)) emission += scattering * scattered(t, p);
+  return {emission * length, extinction * length};
+}
+
+// As methods 1 and 2 have it: seen through the interval's own depth before it.
+MediaIntegrator::Sample MediaIntegrator::dimmed(const Interval& interval, double u) {
+  Sample s = at(interval, u);
+  if (!black(s.colour)) s.colour *= glm::exp(s.depth * static_cast<float>(-u));
+  return s;
+}
+
+// Light of all lamps that shine on `p`, by their directions.
+vec3 MediaIntegrator::scattered(double t, dvec3 p) {
+  vec3 sum(0.0F);
+  for (const LampSpan& span : scratch_.lamp_spans) {
+    if (t < span.from || t > span.to) continue;
+    const Light& light = scene_.lights[span.light];
+    const Incidence in = incidence(light, p);
+    if (dark(in.colour)) continue;
+    const vec3 arriving = tracer_.shadowed(light, in, p, setting_.inside, setting_.gathering);
+    if (dark(arriving)) continue;
+    // The oracle takes the mean of all media, whether they scatter or not.
+    double factor = 0;
+    const double cosine = glm::dot(ray_.d, in.l);
+    for (std::uint32_t i = first_; i < end_; ++i) factor += phase_factor(media(i), cosine);
+    sum += static_cast<float>(factor / (end_ - first_)) * arriving;
+  }
+  return sum;
+}
+
+double MediaIntegrator::random() { return next_random(scratch_.noise); }
+
+// ---- the tracer's questions
+
+MediaEffect Tracer::media_along(const Path& path, double depth, const Hit* hit) {
+  const std::uint32_t set =
+      hit == nullptr ? 0 : scene_->surfaces[scene_->geometry.leaves()[hit->leaf].surface].lamps;
+  const MediaIntegrator::Setting setting{.inside = path.inside,
+                                         .lamps = scene_->geometry.lamp_sets()[set],
+                                         .gathering = path.bounce > 0};
+  MediaEffect effect;
+  if (!scene_->air_media.empty()) {
+    MediaIntegrator air(*this, path.ray, depth, setting);
+    air.add(scene_->air_media);
+    effect = air.integrate();
+  }
+  if (hit == nullptr || path.inside.empty()) return effect;
+  MediaIntegrator bodies(*this, path.ray, depth, setting);
+  for (const std::uint32_t id : path.inside.ids()) bodies.add(scene_->interiors[id].media);
+  const MediaEffect inner = bodies.integrate();
+  effect.added += effect.kept * inner.added;
+  effect.kept *= inner.kept;
+  return effect;
+}
+
+vec3 Tracer::light_through_bodies(const Ray& ray, double depth, const Containment& inside) {
+  if (inside.empty() || !in_the_open(inside)) return vec3(1.0F);
+  MediaIntegrator bodies(*this, ray, depth, {.inside = inside, .shadow = true});
+  for (const std::uint32_t id : inside.ids()) bodies.add(scene_->interiors[id].media);
+  return bodies.integrate().kept;
+}
+
+vec3 Tracer::light_through_air(const Ray& ray, double depth, const Containment& inside) {
+  MediaIntegrator air(*this, ray, depth, {.inside = inside, .shadow = true});
+  air.add(scene_->air_media);
+  return air.integrate().kept;
+}
+
+}  // namespace durer::tracer

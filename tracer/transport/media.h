@@ -1,0 +1,81 @@
+// Media along a piece of a ray (participating-and-global §1.3-1.12).
+#pragma once
+
+#include "tracer/transport/trace.h"
+
+namespace durer::tracer {
+
+/// Integrates over the media of one piece of a ray. Several of them, from all bodies around, act at
+/// once; the one with most intervals rules how they are sampled.
+class MediaIntegrator {
+ public:
+  /// What matters about the ray besides its way.
+  struct Setting {
+    const Containment& inside;               // bodies that it is in, for shadow rays from within
+    std::span<const std::uint32_t> lamps{};  // that may light the media
+    bool gathering = false;                  // it gathers indirect light
+    bool shadow = false;                     // it goes to a lamp: only what is lost counts
+  };
+
+  /// `ray.d` of unit length.
+  MediaIntegrator(Tracer& tracer, const Ray& ray, double depth, const Setting& setting);
+  MediaIntegrator(const MediaIntegrator&) = delete;
+  MediaIntegrator& operator=(const MediaIntegrator&) = delete;
+  ~MediaIntegrator();
+
+  void add(MediaRange media);
+  [[nodiscard]] MediaEffect integrate();
+
+ private:
+  // One place: the light it adds and the optical depth, both for a whole interval.
+  struct Sample {
+    vec3 colour{0.0F};
+    vec3 depth{0.0F};
+  };
+  // A part of the ray, between t and t + length.
+  struct Interval {
+    double t = 0;
+    double length = 0;
+    bool lit = false;
+  };
+
+  [[nodiscard]] const MediaProgram& media(std::uint32_t i) const;
+  void find_leader();
+  void find_parts();
+  void divide(const LitPart& part, int count, MediaEffect& effect);
+  void integrate(const Interval& interval, MediaEffect& effect);
+  [[nodiscard]] Sample sampled(const Interval& interval);
+  [[nodiscard]] Sample uniform(const Interval& interval);
+  [[nodiscard]] Sample adaptive(const Interval& interval);
+  [[nodiscard]] Sample refine(const Interval& interval, double a, double b, const Sample& at_a,
+                              const Sample& at_b, int level);
+  [[nodiscard]] Sample at(const Interval& interval, double u);
+  [[nodiscard]] Sample dimmed(const Interval& interval, double u);
+  [[nodiscard]] vec3 scattered(double t, dvec3 p);
+  [[nodiscard]] double random();
+
+  Tracer& tracer_;
+  const CompiledScene& scene_;
+  Scratch& scratch_;
+  const Ray ray_;
+  const double length_;
+  const Setting setting_;
+  // Of scratch_.media, a stack.
+  const std::uint32_t first_;
+  std::uint32_t end_;
+
+  const MediaProgram* leader_ = nullptr;
+  float aa_threshold_ = 0;
+  bool constant_ = true;  // in the sense of shadow rays: MediaProgram::constant
+  bool varies_ = false;
+  bool scatters_ = false;
+  bool dims_ = false;
+};
+
+/// Appends where some of the `lights`, the `lamps`, shine on a ray: [0, depth] or less for those with a cone. Then parts of the
+/// ray, some lit, some not, from 0 to `depth`.
+void find_lit_parts(std::span<const Light> lights, std::span<const std::uint32_t> lamps,
+                    const Ray& ray, double depth, std::vector<LampSpan>& spans,
+                    std::vector<LitPart>& parts);
+
+}  // namespace durer::tracer
