@@ -68,8 +68,8 @@ struct Object {
   std::optional<bool> hollow;
   /// Textures are looked up at (u, v, 0) and stay where they are when the object is moved.
   bool uv_mapping = false;
-  /// light_group: lit by the lights outside as well? None: as the group around it.
-  std::optional<bool> global_lights;
+  /// light_group: lit by the lights outside as well. Of groups in each other the outermost decides.
+  bool global_lights = false;
   std::uint32_t type = none;  // primitive: index into Registry::primitives
   LightId light = none;
   InteriorId interior = none;

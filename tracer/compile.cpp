@@ -105,6 +105,7 @@ void compile_interiors(const scene::Scene& scene, CompiledScene& out) {
 bool compile_lights(const scene::Scene& scene, CompiledScene& out, Diagnostics& diagnostics) {
   for (const scene::Light& light : out.geometry.lights()) {
     out.lights.push_back(compile_light(light, out.quality.area_lights));
+    out.reaches.push_back(reach_of(out.lights.back()));
   }
   for (const Projection& p : out.geometry.projections()) {
     auto alone = Geometry::build_object(scene, p.object, diagnostics, p.to_world);

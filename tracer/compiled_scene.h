@@ -49,6 +49,7 @@ struct CompiledScene {
   std::vector<ProgramId> part_textures;
   std::vector<Interior> interiors;       // parallel to geometry.interiors()
   std::vector<Light> lights;
+  std::vector<Reach> reaches;  // parallel to `lights`
   std::vector<Geometry> projectors;  // what lamps shine through, each alone
   MediaStore media;      // empty at qualities that leave media out
   MediaRange air_media;  // of `media`: those that are everywhere

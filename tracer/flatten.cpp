@@ -346,7 +346,7 @@ class Flattener {
   void enter_group(const Object& group, Context& own) {
     LampSet set = lamp_sets_[own.lamps];
     if (own.lamps == 0) {
-      set.global = group.global_lights.value_or(false);
+      set.global = group.global_lights;
       if (!set.global) set.outside.clear();
     }
     own.direct_of = groups_++;

@@ -9,6 +9,7 @@ add_library(durer_geometry STATIC
   placements.cpp
   sharing.cpp
   accel/box_tree.cpp
+  accel/casters.cpp
   accel/embree.cpp
   accel/linear.cpp
   accel/triangle_build.cpp

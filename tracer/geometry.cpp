@@ -131,6 +131,29 @@ bool Geometry::occluded(const Ray& ray, double t_from, double t_to,
   return state_->world().accel->any(query);
 }
 
+bool Geometry::casters(const Shaft& shaft, std::vector<Caster>& out) const {
+  constexpr std::size_t most = 12;  // beyond, the hierarchy is faster
+  std::call_once(state_->casters_found, [this] { state_->index_casters(); });
+  return state_->casters.gather(shaft, most, out);
+}
+
+bool Geometry::occluded_by(std::span<Caster> among, const Ray& ray, double t_from, double t_to,
+                           GeometryScratch& scratch) const {
+  const double after = t_from * (1 + std::numeric_limits<double>::epsilon());
+  RayQuery query{ray, after, t_to, blocks_light, {}, &state_->parts, &scratch.sweep, true, {}};
+  const dvec3 inverse = 1.0 / ray.d;
+  for (Caster& c : among) {
+    double enter = after;
+    double leave = t_to;
+    if (!BoxTree::clip(c.box, ray.o, inverse, enter, leave)) continue;
+    c.targets->nearest(*c.targets, c.index, query);
+    if (query.found.store == nullptr) continue;
+    std::swap(c, among.front());
+    return true;
+  }
+  return false;
+}
+
 void Geometry::containing(dvec3 p, std::vector<std::uint32_t>& interiors,
                           GeometryScratch& scratch) const {
   scratch.bodies.clear();

@@ -14,14 +14,13 @@
 #include "base/diagnostic.h"
 #include "base/ray.h"
 #include "scene/scene.h"
+#include "tracer/accel/casters.h"
 #include "tracer/query.h"
 #include "tracer/sharing.h"
 
 namespace durer::tracer {
 
-class Store;
 struct Placement;
-struct TextureBlend;
 
 /// One primitive as placed in the world.
 struct Leaf {
@@ -155,6 +154,13 @@ class Geometry {
 
   /// True if an opaque, shadow-casting surface lies in t_from < t < t_to.
   bool occluded(const Ray& ray, double t_from, double t_to, GeometryScratch& scratch) const;
+
+  /// What may cast shadows into a shaft; false, with some of them, if they are too many to ask one by
+  /// one.
+  bool casters(const Shaft& shaft, std::vector<Caster>& out) const;
+  /// The same as `occluded`, where only `among` can be in the way. Whoever is, is moved to their front.
+  bool occluded_by(std::span<Caster> among, const Ray& ray, double t_from, double t_to,
+                   GeometryScratch& scratch) const;
 
   /// True if some shadow-casting surface is not opaque: then the shadow rays that `occluded` lets
   /// through must be walked with `closest(RayKind::shadow)`.

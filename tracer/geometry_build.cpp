@@ -162,6 +162,8 @@ void Geometry::State::index_bodies(const Group& group) const {
   });
 }
 
+void Geometry::State::index_casters() const { casters = CasterIndex(world().targets()); }
+
 void Geometry::State::set_opaque(const std::vector<bool>& by_surface) {
   translucent_shadows = false;
   const auto update = [&](Store& store) {

@@ -35,6 +35,13 @@ class BoxTree {
     descend([&](const Bounds3& b) { return meets(b, ray.o, inverse, t_from, t_to); }, f);
   }
 
+  /// Calls f(index) for every box that passes `test`, which must hold for a box if it holds for one
+  /// inside of it.
+  template <typename Test, typename F>
+  void meeting(Test&& test, F&& f) const {
+    descend(test, f);
+  }
+
   /// Clips t_from…t_to to the box; false if nothing remains. 0/0 (a ray in the plane of a face)
   /// counts as inside.
   static bool clip(const Bounds3& b, dvec3 o, dvec3 inverse, double& t_from, double& t_to) {

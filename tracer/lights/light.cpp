@@ -1,5 +1,6 @@
 #include "tracer/lights/light.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -74,6 +75,18 @@ Light compile_light(const scene::Light& in, bool areas) {
   light.fade_power = in.fade_power;
   light.media_interaction = in.media_interaction;
   return light;
+}
+
+Reach reach_of(const Light& light) {
+  Reach reach{light.position, light.axis, 0, false};
+  const bool spread = light.has_area && light.area.illumination;
+  if (light.kind != Kind::spotlight || light.parallel || spread) return reach;
+  reach.bounded = true;
+  constexpr double margin = 1e-9;
+  if (light.radius <= 0) return reach;  // no edge: everything before the lamp
+  const double widest = std::max(0.0, std::min(light.radius, light.falloff) - margin);
+  reach.cosine2 = widest * widest;
+  return reach;
 }
 
 double attenuation(const Light& light, const Incidence& in, dvec3 p) {

@@ -47,6 +47,32 @@ struct Incidence {
 /// centre. `u` and `v` need not be whole: jitter moves them by up to half.
 [[nodiscard]] dvec3 area_offset(const scene::LightArea& area, double u, double v, dvec3 l);
 
+/// Which points a lamp can reach at all: a cone, or everything. Small, because scenes of many lamps
+/// ask all of them at every point.
+struct Reach {
+  dvec3 position{0.0};
+  dvec3 axis{0.0};      // unit
+  double cosine2 = 0;   // square of the cosine of the widest angle
+  bool bounded = false;
+
+  /// False only if no light gets to `p`.
+  [[nodiscard]] bool contains(dvec3 p) const {
+    if (!bounded) return true;
+    const dvec3 way = p - position;
+    const double along = way.x * axis.x + way.y * axis.y + way.z * axis.z;
+    return along > 0 &&
+           along * along >= cosine2 * (way.x * way.x + way.y * way.y + way.z * way.z);
+  }
+};
+[[nodiscard]] Reach reach_of(const Light& light);
+
+/// Vectors from a lamp's centre to the edges of all places that its samples can have.
+struct AreaExtent {
+  dvec3 half_u{0.0};
+  dvec3 half_v{0.0};
+};
+[[nodiscard]] AreaExtent area_extent(const scene::LightArea& area, dvec3 l);
+
 /// True if a colour is too dark to matter: every component below epsilon in size.
 [[nodiscard]] inline bool dark(vec3 c) {
   constexpr auto e = static_cast<float>(epsilon);

@@ -9,16 +9,12 @@ namespace durer::tracer {
 
 vec3 Tracer::illuminate(const View& view, const Path& path, const LayerPoint& layer,
                         bool first_lit) {
+  if (first_lit) find_lamps(view);
   vec3 sum(0.0F);
-  for (const std::uint32_t i : scene_->geometry.lamp_sets()[view.lamps]) {
+  for (const std::uint32_t i : scratch_->lit) {
     const Light& light = scene_->lights[i];
     LampAtPoint& lamp = scratch_->lamps[i];
-    const bool spread = light.has_area && light.area.illumination && !view.gathering;
-    if (first_lit) {
-      lamp = {incidence(light, view.p), vec3(0.0F), false};
-      if (spread) lamp.in.colour = light.colour;  // its samples are weakened one by one
-    }
-    if (dark(lamp.in.colour)) continue;
+    const bool spread = spreads(light, view);
     const bool hidden = is_behind(view, layer, lamp.in.l);
     if (hidden && !spread && layer.finish->diffuse_back == 0) continue;
     if (!lamp.shadow_known) {
@@ -30,6 +26,25 @@ vec3 Tracer::illuminate(const View& view, const Path& path, const LayerPoint& la
                   : shade(view, layer, light, lamp, hidden);
   }
   return sum;
+}
+
+// Its whole area shines, not only its centre.
+bool Tracer::spreads(const Light& light, const View& view) {
+  return light.has_area && light.area.illumination && !view.gathering;
+}
+
+// The lamps whose light gets to the point, as far as nothing is in its way.
+void Tracer::find_lamps(const View& view) {
+  scratch_->lit.clear();
+  for (const std::uint32_t i : scene_->geometry.lamp_sets()[view.lamps]) {
+    if (!scene_->reaches[i].contains(view.p)) continue;
+    const Light& light = scene_->lights[i];
+    Incidence in = incidence(light, view.p);
+    if (spreads(light, view)) in.colour = light.colour;  // its samples are weakened one by one
+    if (dark(in.colour)) continue;
+    scratch_->lamps[i] = {in, vec3(0.0F), false};
+    scratch_->lit.push_back(i);
+  }
 }
 
 bool Tracer::is_behind(const View& view, const LayerPoint& layer, dvec3 l) {

@@ -11,8 +11,11 @@ vec3 Tracer::shadowed(const Light& light, const Incidence& in, dvec3 p, const Co
                       bool as_point) {
   if (!quality_.shadows || (light.shadowless && light.projector == scene::none)) return in.colour;
   if (!light.has_area || as_point) return point_shadow(light, in, p, inside);
+  AreaShadow whole{light, in, p, inside};
+  if (whole.few = few_casters(light, in, p); whole.few && scratch_->casters.empty()) {
+    return in.colour;
+  }
   scratch_->area.assign(static_cast<std::size_t>(light.area.n1 * light.area.n2), {});
-  const AreaShadow whole{light, in, p, inside};
   return area_shadow(whole, {0, 0, light.area.n1 - 1, light.area.n2 - 1}, 0);
 }
 
@@ -73,6 +76,17 @@ vec3 Tracer::walk_shadow(const Light& light, const Incidence& in, dvec3 p, doubl
   }
 }
 
+// Finds all that could stand between a point and a lamp's area, when that is as good as asking the
+// hierarchy for every sample.
+bool Tracer::few_casters(const Light& light, const Incidence& in, dvec3 p) {
+  if (light.parallel || light.projector != scene::none) return false;
+  if (light.dimmed_by_air && dims()) return false;
+  const AreaExtent extent = area_extent(light.area, in.l);
+  const Shaft shaft(p, light.position, extent.half_u, extent.half_v, t_shadow);
+  if (!scene_->geometry.casters(shaft, scratch_->casters)) return false;
+  return !translucent_shadows_ || scratch_->casters.empty();
+}
+
 // A sample of a lamp's area, from its centre; `l` points from the lit point to that.
 dvec3 Tracer::area_sample(const Light& light, int u, int v, dvec3 l) {
   double a = u;
@@ -90,7 +104,15 @@ vec3 Tracer::area_corner(const AreaShadow& lit, int u, int v) {
   if (scratch_->area[place].known) return scratch_->area[place].light;
   Incidence in = direction_to(lit.light, area_sample(lit.light, u, v, lit.centre.l), lit.p);
   in.colour = lit.centre.colour;
-  const vec3 light = point_shadow(lit.light, in, lit.p, lit.inside);
+  vec3 light;
+  if (lit.few && in.distance > 2 * t_shadow) {
+    ++scratch_->rays;
+    const bool blocked = scene_->geometry.occluded_by(
+        scratch_->casters, {lit.p, in.l}, t_shadow, in.distance - t_shadow, *scratch_->geometry);
+    light = blocked ? vec3(0.0F) : in.colour;
+  } else {
+    light = point_shadow(lit.light, in, lit.p, lit.inside);
+  }
   scratch_->area[place] = {light, true};
   return light;
 }

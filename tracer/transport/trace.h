@@ -89,6 +89,8 @@ struct Scratch {
   std::uint32_t noise = 0;              // state of random numbers, set anew for every sample
   std::vector<LampAtPoint> lamps;       // parallel to the scene's lights
   std::vector<AreaSample> area;         // of the lamp that is being asked
+  std::vector<Caster> casters;          // that may stand before it
+  std::vector<std::uint32_t> lit;       // lamps that reach the point being lit
   std::vector<GeometryScratchPtr> projectors;
   std::vector<Reflection> reflections;  // a stack
   std::vector<std::uint32_t> containing;
@@ -158,6 +160,7 @@ class Tracer {
     const Incidence& centre;
     dvec3 p;
     const Containment& inside;
+    bool few = false;  // Scratch::casters has all that can be in between
   };
   struct AreaPart {
     int u1, v1, u2, v2;
@@ -219,6 +222,8 @@ class Tracer {
 
   [[nodiscard]] vec3 illuminate(const View& view, const Path& path, const LayerPoint& layer,
                                 bool first_lit);
+  void find_lamps(const View& view);
+  [[nodiscard]] static bool spreads(const Light& light, const View& view);
   [[nodiscard]] static bool is_behind(const View& view, const LayerPoint& layer, dvec3 l);
   [[nodiscard]] vec3 shade_by_area(const View& view, const LayerPoint& layer, const Light& light,
                                    const LampAtPoint& lamp);
@@ -231,6 +236,7 @@ class Tracer {
   [[nodiscard]] double projected(const Light& light, const Incidence& in, dvec3 p);
   [[nodiscard]] vec3 walk_shadow(const Light& light, const Incidence& in, dvec3 p, double way,
                                  Containment inside);
+  [[nodiscard]] bool few_casters(const Light& light, const Incidence& in, dvec3 p);
   [[nodiscard]] dvec3 area_sample(const Light& light, int u, int v, dvec3 l);
   [[nodiscard]] vec3 area_corner(const AreaShadow& lit, int u, int v);
   [[nodiscard]] vec3 area_shadow(const AreaShadow& lit, const AreaPart& part, int level);

@@ -111,7 +111,7 @@ TEST_CASE("lights: groups", "[interpreter][lights]") {
   const scene::Object& group = r.scene->objects[r.scene->roots[0].object];
   CHECK(group.kind == scene::NodeKind::light_group);
   CHECK(group.children.size() == 2);
-  CHECK(group.global_lights == true);
+  CHECK(group.global_lights);
   CHECK(code_of("light_group { sphere { 0, 1 } pigment { rgb 1 } }") == "D0214");
 }
 

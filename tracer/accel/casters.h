@@ -1,0 +1,35 @@
+// What may cast a shadow into a shaft.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "tracer/accel/box_tree.h"
+#include "tracer/accel/shaft.h"
+#include "tracer/primitives/store.h"
+
+namespace durer::tracer {
+
+/// One object of the hierarchy.
+struct Caster {
+  const Targets* targets = nullptr;
+  std::uint32_t index = 0;
+  Bounds3 box;  // of its surface
+};
+
+/// All objects that cast shadows, by their boxes.
+class CasterIndex {
+ public:
+  CasterIndex() = default;
+  explicit CasterIndex(std::span<const Targets* const> all);
+
+  /// Those whose boxes meet `shaft`; false if they are more than `most`.
+  [[nodiscard]] bool gather(const Shaft& shaft, std::size_t most, std::vector<Caster>& out) const;
+
+ private:
+  BoxTree boxes_;
+  std::vector<Caster> of_box_;
+  std::vector<Caster> endless_;
+};
+
+}  // namespace durer::tracer
