@@ -2,58 +2,11 @@
 
 #include <cmath>
 
+#include "tracer/chi_square.h"
 #include "tracer/film/jitter.h"
 #include "tracer/film/lens_points.h"
 
 namespace durer::tracer {
-namespace {
-
-/// The lower incomplete gamma function over the complete one, by its series or, for large x, by the
-/// continued fraction of its complement [Press et al., Numerical Recipes, 6.2].
-double lower_gamma(double a, double x) {
-  if (x <= 0) return 0;
-  constexpr double tiny = 1e-300;
-  constexpr double enough = 1e-15;
-  constexpr int most = 10000;
-  const double scale = std::exp(a * std::log(x) - x - std::lgamma(a));
-  if (x < a + 1) {
-    double term = 1 / a;
-    double sum = term;
-    for (int k = 1; k < most && term > sum * enough; ++k) sum += term *= x / (a + k);
-    return sum * scale;
-  }
-  double b = x + 1 - a;
-  double c = 1 / tiny;
-  double d = 1 / b;
-  double fraction = d;
-  for (int k = 1; k < most; ++k) {
-    const double numerator = -k * (k - a);
-    b += 2;
-    d = numerator * d + b;
-    if (std::abs(d) < tiny) d = tiny;
-    c = b + numerator / c;
-    if (std::abs(c) < tiny) c = tiny;
-    d = 1 / d;
-    fraction *= d * c;
-    if (std::abs(d * c - 1) < enough) break;
-  }
-  return 1 - scale * fraction;
-}
-
-}  // namespace
-
-double chi_square_exceeded(double confidence, int freedom) {
-  const double a = freedom / 2.0;
-  const double below = 1 - confidence;
-  double low = 0;
-  double high = freedom + 1.0;
-  while (lower_gamma(a, high / 2) < below) high *= 2;
-  for (int i = 0; i < 200 && high - low > 1e-12 * high; ++i) {
-    const double middle = (low + high) / 2;
-    (lower_gamma(a, middle / 2) < below ? low : high) = middle;
-  }
-  return (low + high) / 2;
-}
 
 LensSampling::LensSampling(const scene::Scene& scene) {
   const scene::Lens& lens = *scene.camera.lens;

@@ -56,8 +56,4 @@ class LensSampling {
   std::vector<double> thresholds_;  // variance of the mean of n samples, at n - 1
 };
 
-/// The value that a chi-square variable of `freedom` degrees of freedom exceeds with probability
-/// `confidence`, 0…1. Relative accuracy 1e-10.
-[[nodiscard]] double chi_square_exceeded(double confidence, int freedom);
-
 }  // namespace durer::tracer

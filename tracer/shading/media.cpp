@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "tracer/chi_square.h"
 #include "tracer/patterns/patterns.h"
 
 namespace durer::tracer {
@@ -23,49 +23,15 @@ int cost(const scene::Pigment& d) {
   return sum + 4;
 }
 
-// The share of chi-square distributed numbers beyond x. Source: Press et al., Numerical Recipes,
-// "Incomplete Gamma Function"; accurate to 1e-12.
-double chi_square_tail(double x, int freedom) {
-  constexpr double tiny = 1e-300;
-  constexpr double enough = 1e-14;
-  constexpr int most = 100000;
-  const double a = freedom / 2.0;
-  x /= 2;
-  if (x <= 0) return 1;
-  const double front = std::exp(-x + a * std::log(x) - std::lgamma(a));
-  if (x < a + 1) {
-    double term = 1 / a;
-    double sum = term;
-    for (int n = 1; n < most && term > sum * enough; ++n) sum += term *= x / (a + n);
-    return 1 - sum * front;
-  }
-  double b = x + 1 - a;
-  double c = 1 / tiny;
-  double d = 1 / b;
-  double h = d;
-  for (int i = 1; i < most; ++i) {
-    const double an = -i * (i - a);
-    b += 2;
-    d = an * d + b;
-    if (std::abs(d) < tiny) d = tiny;
-    c = b + an / c;
-    if (std::abs(c) < tiny) c = tiny;
-    d = 1 / d;
-    h *= d * c;
-    if (std::abs(d * c - 1) < enough) break;
-  }
-  return front * h;
-}
-
 // After how much variance sampling stops (participating-and-global §1.8).
 std::vector<double> thresholds(const scene::Media& m) {
   const auto n = static_cast<std::size_t>(m.max_samples);
   std::vector<double> out(n, 0.0);
   if (n == 1 || m.max_samples <= m.min_samples) return out;
-  const double whole = chi_square_bound(m.confidence, m.max_samples - 1);
+  const double whole = chi_square_exceeded(m.confidence, m.max_samples - 1);
   const double scale = whole > 0 ? m.variance / whole : m.variance * epsilon;
   for (std::size_t i = 0; i < n; ++i) {
-    out[i] = scale * chi_square_bound(m.confidence, static_cast<int>(i) + 1);
+    out[i] = scale * chi_square_exceeded(m.confidence, static_cast<int>(i) + 1);
   }
   return out;
 }
@@ -150,19 +116,6 @@ double phase_factor(const MediaProgram& media, double cosine) {
     }
   }
   return 1;
-}
-
-double chi_square_bound(double probability, int freedom) {
-  if (probability >= 1) return 0;
-  if (probability <= 0) return std::numeric_limits<double>::infinity();
-  double lo = 0;
-  double hi = freedom + 10;
-  while (chi_square_tail(hi, freedom) > probability) hi *= 2;
-  for (int i = 0; i < 200 && hi - lo > 1e-12 * hi; ++i) {
-    const double mid = (lo + hi) / 2;
-    (chi_square_tail(mid, freedom) > probability ? lo : hi) = mid;
-  }
-  return (lo + hi) / 2;
 }
 
 }  // namespace durer::tracer

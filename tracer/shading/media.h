@@ -71,8 +71,4 @@ class MediaStore {
 /// in all directions alike. `cosine`: of the angle between ray and the way to the lamp, -1…1.
 [[nodiscard]] double phase_factor(const MediaProgram& media, double cosine);
 
-/// The value that chi-square distributed numbers of `freedom` degrees exceed with `probability`,
-/// 0…1 exclusive; 0 for probability 1, infinity for 0.
-[[nodiscard]] double chi_square_bound(double probability, int freedom);
-
 }  // namespace durer::tracer

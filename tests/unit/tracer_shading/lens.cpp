@@ -2,6 +2,7 @@
 #include "tracer/film/lens.h"
 
 #include "tests/unit/tracer_shading/shading_test.h"
+#include "tracer/chi_square.h"
 #include "tracer/film/lens_points.h"
 
 using namespace durer;

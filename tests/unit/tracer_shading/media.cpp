@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "tests/unit/tracer_shading/shading_test.h"
+#include "tracer/chi_square.h"
 #include "tracer/transport/media.h"
 
 using namespace durer;
@@ -156,10 +157,10 @@ TEST_CASE("media: phase functions at their ends", "[tracer][media]") {
 
 TEST_CASE("media: bounds of the chi-square distribution", "[tracer][media]") {
   // Abramowitz and Stegun, table 26.8.
-  CHECK(tracer::chi_square_bound(0.05, 1) == Approx(3.84146).epsilon(1e-5));
-  CHECK(tracer::chi_square_bound(0.9, 9) == Approx(4.16816).epsilon(1e-5));
-  CHECK(tracer::chi_square_bound(0.005, 30) == Approx(53.6720).epsilon(1e-5));
-  CHECK(tracer::chi_square_bound(0.99, 100) == Approx(70.0649).epsilon(1e-5));
+  CHECK(tracer::chi_square_exceeded(0.05, 1) == Approx(3.84146).epsilon(1e-5));
+  CHECK(tracer::chi_square_exceeded(0.9, 9) == Approx(4.16816).epsilon(1e-5));
+  CHECK(tracer::chi_square_exceeded(0.005, 30) == Approx(53.6720).epsilon(1e-5));
+  CHECK(tracer::chi_square_exceeded(0.99, 100) == Approx(70.0649).epsilon(1e-5));
 }
 
 TEST_CASE("media: cones of light cut a ray into parts", "[tracer][media]") {
