@@ -47,7 +47,11 @@ class Render {
     constexpr std::size_t large = 1 << 20;  // bytes
     frame->sources.rest(large);
     tracer::CompiledScenePtr compiled;
-    if (frame->scene) compiled = tracer::compile(*frame->scene, frame->diagnostics, settings_.quality);
+    if (frame->scene) {
+      compiled = tracer::compile(*frame->scene, frame->diagnostics, settings_.quality,
+                                 settings_.paths ? tracer::Integrator::path
+                                                 : tracer::Integrator::trace);
+    }
     console_.print(frame->diagnostics);
     if (!compiled || frame->diagnostics.has_errors()) return exit_code::error;
     stop_ = &interrupts_set_flag();  // from here on there is something to keep

@@ -5,12 +5,14 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "base/bounds.h"
 #include "base/diagnostic.h"
 #include "base/ray.h"
 #include "scene/scene.h"
@@ -129,6 +131,10 @@ class Geometry {
   /// groups. Set 0 is for all that is in no group.
   [[nodiscard]] std::span<const std::vector<std::uint32_t>> lamp_sets() const;
   [[nodiscard]] std::span<const Projection> projections() const;
+
+  /// Tells of every part of the surfaces that stand in the world itself, not in shared contents, and
+  /// the box around it.
+  void for_surfaces(const std::function<void(const Leaf&, const Bounds3&)>& visit) const;
 
   /// What came to light about primitives while rays asked them: see Store::doubt. Each message once
   /// per object of the scene.

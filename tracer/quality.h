@@ -25,6 +25,7 @@ struct Quality {
   bool normals;
   bool atmosphere;  // fog, rainbows, media
   bool radiosity;
+  bool path = false;  // light is followed along random paths: see Integrator
 };
 
 }  // namespace durer::tracer

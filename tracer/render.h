@@ -4,12 +4,19 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <mutex>
 #include <vector>
 
 #include "image/image.h"
 #include "tracer/compile.h"
 
 namespace durer::tracer {
+
+/// How far random paths go, and how they look for light.
+struct PathRules {
+  int max_bounces = 64;    // 0: only what glows; straight ways through surfaces do not count
+  bool next_event = true;  // look for surfaces that glow; without, they are only met by chance
+};
 
 struct RenderOptions {
   int width = 160;
@@ -25,6 +32,9 @@ struct RenderOptions {
   bool alpha = false;
   int block_size = 32;  // pixels; anti-aliasing looks at blocks (shading §3.2)
   int threads = 0;      // 0: all
+  // Of scenes that are compiled for random paths; these have no other anti-aliasing.
+  int samples = 64;  // paths per pixel; others ignore it
+  PathRules paths;
   // Part of the picture to render: 0-based, end exclusive; -1: to the edge.
   int first_column = 0;
   int end_column = -1;
@@ -51,10 +61,13 @@ struct Checkpoint {
   explicit Checkpoint(const RenderOptions& options);
 
   image::Image image;                   // pixels of blocks that are not done are undefined
-  std::vector<std::atomic<bool>> done;  // by block, in the order of `render`
+  /// Passes that are done, by block, in the order of `render`: there is one, or several when light
+  /// is followed along random paths; each makes the picture less noisy.
+  std::vector<std::atomic<std::uint8_t>> done;
+  mutable std::mutex writing;  // held while a block that was done once is done again
 
   struct State {
-    std::vector<std::uint8_t> done;  // 0 or 1
+    std::vector<std::uint8_t> done;  // passes
     image::Image image;              // pixels of other blocks are 0
   };
   /// What is done by now.

@@ -72,7 +72,7 @@ vec3 Tracer::shade_by_area(const View& view, const LayerPoint& layer, const Ligh
 }
 
 vec3 Tracer::shade(const View& view, const LayerPoint& layer, const Light& light,
-                   const LampAtPoint& lamp, bool backside) {
+                   const LampAtPoint& lamp, bool backside, bool grain) const {
   const Finish& f = *layer.finish;
   const dvec3 l = lamp.in.l;
   const double cosine = glm::dot(layer.n, l);
@@ -82,7 +82,7 @@ vec3 Tracer::shade(const View& view, const LayerPoint& layer, const Light& light
     const double c = std::abs(cosine);
     const double bright = f.brilliance == 1 ? c : std::pow(c, f.brilliance);
     float intensity = static_cast<float>(bright) * k * layer.opacity;
-    if (f.crand > 0) intensity -= random_unit(scratch_->noise) * f.crand;
+    if (grain && f.crand > 0) intensity -= random_unit(scratch_->noise) * f.crand;
     sum = intensity * layer.pigment * lamp.shadowed;
   }
   if (f.highlights && !view.gathering && !backside && !light.shadowless) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "tracer/sobol.h"
 #include "tracer/transport/trace.h"
 
 namespace durer::tracer {
@@ -17,12 +18,6 @@ double radical_inverse(std::uint32_t i, std::uint32_t base) {
   double digit = 1.0 / base;
   for (; i > 0; i /= base, digit /= base) value += digit * (i % base);
   return value;
-}
-
-std::uint32_t mixed(std::uint32_t h) {
-  h = (h ^ (h >> 16)) * 0x7FEB352DU;
-  h = (h ^ (h >> 15)) * 0x846CA68BU;
-  return h ^ (h >> 16);
 }
 
 }  // namespace

@@ -31,6 +31,10 @@ struct Path {
   Containment inside;     // bodies that the ray is inside of
   std::uint32_t bounce = 0;   // of indirect light; above 0: the ray gathers some
   FirstHit* first = nullptr;  // who wants to know of the next surface, if somebody does
+
+  [[nodiscard]] RayKind kind() const {
+    return bounce > 0 ? RayKind::gathering : reflected ? RayKind::reflection : RayKind::image;
+  }
 };
 
 /// Premultiplied colour, and the share of what lies behind that shines through.
@@ -110,6 +114,7 @@ class Tracer {
 
  private:
   friend class MediaIntegrator;
+  friend class PathTracer;
   // A surface that is being looked at.
   struct View {
     dvec3 p{0.0};
@@ -187,6 +192,8 @@ class Tracer {
   [[nodiscard]] dvec3 bend(const View& view, const LayerProgram& layer, SurfaceView& seen) const;
   [[nodiscard]] Step surface(const View& view, Path& path);
   [[nodiscard]] LayerSum sum_layers(const View& view, const Path& path);
+  template <typename Visit>
+  [[nodiscard]] LayerSum walk_layers(const View& view, float least, const Visit& visit) const;
   [[nodiscard]] float opacity(const Colour& c) const;
   // Indirect light.
   struct Gathered {
@@ -205,11 +212,14 @@ class Tracer {
   [[nodiscard]] vec3 indirect(const View& view, dvec3 layer_normal, float weight,
                               std::uint32_t depth);
   [[nodiscard]] Gathered gather(dvec3 p, dvec3 raw, dvec3 n, std::uint32_t depth);
+  [[nodiscard]] Reflectivity reflectivity_of(const View& view, const Containment& inside,
+                                             const LayerPoint& layer) const;
   vec3 remember_reflection(const View& view, const Path& path, const LayerPoint& layer,
                            float sigma);
   void transmit(const View& view, const LayerSum& layers, Path& path, Step& step);
   [[nodiscard]] vec3 film_tint(const View& view, dvec3 n, dvec3 r) const;
   [[nodiscard]] static Path inward(const View& view, const Path& path, dvec3 n, float weight);
+  [[nodiscard]] int dispersion_samples(const View& view, const Containment& beyond) const;
   [[nodiscard]] Radiance disperse(const View& view, const LayerSum& layers, const Path& path,
                                   const Path& next, IndexRatio ratio);
   [[nodiscard]] vec3 reflect(const View& view, const LayerSum& layers, const Path& path,
@@ -228,7 +238,7 @@ class Tracer {
   [[nodiscard]] vec3 shade_by_area(const View& view, const LayerPoint& layer, const Light& light,
                                    const LampAtPoint& lamp);
   [[nodiscard]] vec3 shade(const View& view, const LayerPoint& layer, const Light& light,
-                           const LampAtPoint& lamp, bool backside);
+                           const LampAtPoint& lamp, bool backside, bool grain = true) const;
   [[nodiscard]] vec3 shadowed(const Light& light, const Incidence& in, dvec3 p,
                               const Containment& inside, bool as_point = false);
   [[nodiscard]] vec3 point_shadow(const Light& light, const Incidence& in, dvec3 p,
