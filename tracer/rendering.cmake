@@ -13,7 +13,7 @@ durer_library(tracer
     shading/texture.cpp
     cameras/camera.cpp ${camera_sources}
     lights/area.cpp lights/light.cpp
-    transport/atmosphere.cpp transport/irradiance_cache.cpp transport/light.cpp transport/emitters.cpp transport/media.cpp transport/media_lights.cpp transport/path_lights.cpp transport/path_surface.cpp transport/path_tracer.cpp transport/radiosity.cpp transport/shadow.cpp transport/surface.cpp transport/texture_parts.cpp transport/trace.cpp
+    transport/atmosphere.cpp transport/irradiance_cache.cpp transport/light.cpp transport/emitters.cpp transport/media.cpp transport/media_lights.cpp transport/path_lights.cpp transport/path_media.cpp transport/path_surface.cpp transport/path_tracer.cpp transport/radiosity.cpp transport/shadow.cpp transport/surface.cpp transport/texture_parts.cpp transport/trace.cpp
     film/antialias.cpp film/jitter.cpp film/eye.cpp film/lens.cpp film/lens_points.cpp film/pretrace.cpp film/progress.cpp film/progressive.cpp film/render.cpp
   LINKS durer::geometry durer::scene durer::functions
   PRIVATE_LINKS TBB::tbb fmt::fmt)

@@ -56,17 +56,20 @@ PathTracer::LampView PathTracer::view_lamp(const Light& light, const Incidence& 
   return {part, part};
 }
 
+Aim PathTracer::aim_for_light(dvec3 p) {
+  if (!rules_.next_event || scene_->emitters.empty()) return {};
+  const double pick = random_->next();
+  return scene_->emitters.aim(p, pick, random_->next2());
+}
+
 // Of light that comes straight from what glows; the rest is met by chance.
 vec3 PathTracer::emitter_light(const View& view, const Containment& inside) {
-  if (!rules_.next_event || scene_->emitters.empty()) return vec3(0.0F);
-  const double pick = random_->next();
-  const Aim aim = scene_->emitters.aim(view.p, pick, random_->next2());
+  const Aim aim = aim_for_light(view.p);
   if (!(aim.density > 0)) return vec3(0.0F);
   const vec3 share = scattered(view, aim.d);
   if (share == vec3(0.0F)) return vec3(0.0F);
-  const double all = aim.density + density(view, aim.d);
-  return share * light_along({view.p, aim.d}, behind(view, inside, aim.d)) /
-         static_cast<float>(all);
+  const auto all = static_cast<float>(aim.density + density(view, aim.d));
+  return share * light_along({view.p, aim.d}, behind(view, inside, aim.d)) / all;
 }
 
 // What the first surface along a ray sends out by itself, or the sky.
@@ -75,8 +78,9 @@ vec3 PathTracer::light_along(const Ray& ray, const Containment& inside) {
   ++scratch_->rays;
   const bool met = scene_->geometry.closest(ray, t_min, no_hit_depth, RayKind::gathering, hit,
                                             *scratch_->geometry);
-  if (!met) return scene_->sky.at(ray.d, true).colour;
-  return glow(see(hit, ray.d), inside);
+  const vec3 light = met ? glow(see(hit, ray.d), inside) : scene_->sky.at(ray.d, true).colour;
+  if (light == vec3(0.0F)) return light;
+  return light * kept(ray, met ? hit.t : no_hit_depth, inside, met);
 }
 
 }  // namespace durer::tracer

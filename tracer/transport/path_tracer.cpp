@@ -21,12 +21,15 @@ Radiance PathTracer::trace(const Path& path, SobolSampler& random) {
 bool PathTracer::step(Walk& walk) {
   // Samples of a pixel that have gone through as many surfaces ask for the same dimensions.
   constexpr std::uint32_t dimensions = 16;
-  random_->go_to(dimensions * ++walk.steps);
+  random_->go_to(2 * dimensions * ++walk.steps);
   Path& path = walk.path;
   Hit hit;
   ++scratch_->rays;
   const bool met = scene_->geometry.closest(path.ray, t_min, path.reach, path.kind(), hit,
                                             *scratch_->geometry);
+  if (tracer_.in_air_ && tracer_.in_the_open(path.inside) && cross(walk, met ? &hit : nullptr)) {
+    return survives(walk);
+  }
   if (!met) {
     const Sky::Seen sky =
         scene_->sky.at(path.ray.d, path.reflected || path.bounce > 0 || !alpha_);
@@ -34,6 +37,7 @@ bool PathTracer::step(Walk& walk) {
     walk.clear *= sky.transmittance;
     return false;
   }
+  random_->go_to(2 * dimensions * walk.steps + dimensions);
   if (interact(walk, see(hit, path.ray.d))) return true;
   walk.clear = 0;
   return false;

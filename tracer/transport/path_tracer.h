@@ -61,6 +61,12 @@ class PathTracer {
     vec3 hue{1.0F};
     bool scatters = false;
   };
+  // Media at one place, all together, per unit of length.
+  struct Matter {
+    vec3 extinction{0.0F};
+    vec3 emission{0.0F};
+    vec3 scattering{0.0F};
+  };
   // How a lamp is seen: where its light comes from for shading, and for shadows.
   struct LampView {
     Incidence shading;
@@ -109,7 +115,27 @@ class PathTracer {
   [[nodiscard]] static LampView view_lamp(const Light& light, const Incidence& in, dvec3 p,
                                           dvec2 place, bool spread);
   [[nodiscard]] vec3 emitter_light(const View& view, const Containment& inside);
+  [[nodiscard]] Aim aim_for_light(dvec3 p);
   [[nodiscard]] vec3 light_along(const Ray& ray, const Containment& inside);
+
+  // path_media.cpp
+  struct Drift;
+  bool cross(Walk& walk, const Hit* hit);
+  static void see_through(Walk& walk, const Veil& veil);
+  bool drift(Walk& walk, double depth, std::uint32_t lamps);
+  void list_media(const Containment& inside, bool met);
+  [[nodiscard]] Matter matter_at(dvec3 p) const;
+  [[nodiscard]] bool media_vary() const;
+  [[nodiscard]] int march_steps() const;
+  [[nodiscard]] Drift evenly(const Ray& ray, double depth);
+  [[nodiscard]] Drift unevenly(const Ray& ray, double depth);
+  [[nodiscard]] vec3 kept(const Ray& ray, double depth, const Containment& inside, bool met);
+  [[nodiscard]] vec3 lamp_light_in_media(dvec3 p, dvec3 d, std::uint32_t lamps,
+                                         const Containment& inside);
+  [[nodiscard]] vec3 emitter_light_in_media(dvec3 p, dvec3 d, const Containment& inside);
+  [[nodiscard]] double scattering_size(std::uint32_t media, dvec3 p) const;
+  [[nodiscard]] double phase_density(dvec3 p, double cosine) const;
+  [[nodiscard]] dvec3 phase_direction(dvec3 p, dvec3 d);
 
   const CompiledScene* scene_;
   Scratch* scratch_;
@@ -120,6 +146,7 @@ class PathTracer {
   // Of the present surface; they grow once.
   std::vector<Coat> coats_;
   std::vector<Lobe> lobes_;
+  std::vector<std::uint32_t> media_;  // of the present piece of the path
 };
 
 }  // namespace durer::tracer
