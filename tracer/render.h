@@ -79,6 +79,9 @@ struct Checkpoint {
   RenderOptions options_;
 };
 
+/// How many samples of random paths every pixel has at least, when `state` is what is done.
+[[nodiscard]] int fewest_samples(const RenderOptions& options, const Checkpoint::State& state);
+
 /// Renders on all cores; the picture is bit-equal for any thread count. `on_progress` is called now
 /// and then from one thread at a time; `cancel` stops the render early when it becomes true. Blocks
 /// that are done in `checkpoint` are not rendered again; those that have been are noted there.

@@ -17,6 +17,12 @@ std::vector<int> pass_ends(int samples) {
   return ends;
 }
 
+int fewest_samples(const RenderOptions& options, const Checkpoint::State& state) {
+  if (state.done.empty()) return 0;
+  const std::size_t passes = *std::min_element(state.done.begin(), state.done.end());
+  return passes == 0 ? 0 : pass_ends(options.samples).at(passes - 1);
+}
+
 namespace {
 
 // Takes samples on one thread.
