@@ -31,18 +31,20 @@ HIDDEN = ("/usr/share/povray*", "/usr/local/share/povray*", "/usr/share/fonts/tr
 
 
 @functools.cache
-def without_oracle() -> tuple[str, ...]:
+def without_oracle(*others: Path) -> tuple[str, ...]:
     """Words before a command that run it as if no package of the oracle were installed: its folders, fonts
-    included, are empty for that command, in a mount namespace of its own. Empty if that is not permitted here."""
-    folders = [path for pattern in HIDDEN for path in glob.glob(pattern) if os.path.isdir(path)]
+    included, are empty for that command, and `others` too, in a mount namespace of its own. Empty if that is
+    not permitted here."""
+    found = [path for pattern in HIDDEN for path in glob.glob(pattern)] + [str(path) for path in others]
+    folders = [path for path in found if os.path.isdir(path)]
     mounts = "".join(f"mount -t tmpfs -o size=64k none {shlex.quote(path)} && " for path in folders)
     words = ("unshare", "--mount", *([] if os.geteuid() == 0 else ["--map-root-user"]),
              "sh", "-c", f'{mounts}exec "$@"', "sh")
     try:
-        seen = subprocess.run([*words, "find", *folders, "-type", "f"], capture_output=True, check=True) if folders else None
+        seen = subprocess.run([*words, "find", *(folders or ["/dev/null"]), "-type", "f"], capture_output=True, check=True)
     except (OSError, subprocess.CalledProcessError):
         return ()
-    return () if seen and seen.stdout else words
+    return () if seen.stdout else words
 
 
 def missing_need(scene: Path) -> str:
