@@ -68,8 +68,8 @@ def kind_of(names: set[str]) -> str:
 
 
 def assets(errors: str) -> list[str]:
-    """The files that were not there: fonts that others stand in for, pictures that are missing."""
-    return sorted({a or b for a, b in re.findall(r"there is no font `([^`]+)`|cannot find the file `([^`]+)`", errors)})
+    """The files that were not there: fonts and pictures that others stand in for, others that are missing."""
+    return sorted({a or b for a, b in re.findall(r"there is no (?:font )?`([^`]+)`; |cannot find the file `([^`]+)`", errors)})
 
 
 def judge(name: str, place: conformance.Workplace) -> Verdict:

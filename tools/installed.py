@@ -33,7 +33,9 @@ def problems(top: Path, before: tuple[str, ...]) -> list[str]:
     wanted, told = top / "share" / "durer" / "include", run("--print-stdlib-path").stdout.strip()
     if told != str(wanted):
         found.append(f"--print-stdlib-path tells {told or 'nothing'}, not {wanted}")
-    missing = [p.name for p in stdlib.LIBRARY.iterdir() if p.suffix in (".inc", ".map") and not (wanted / p.name).exists()]
+    ours = [p.relative_to(stdlib.LIBRARY) for p in stdlib.LIBRARY.rglob("*")
+            if p.is_file() and "data" not in p.parts[len(stdlib.LIBRARY.parts):] and p.suffix != ".md"]
+    missing = [str(name) for name in ours if not (wanted / name).exists()]
     if missing:
         found.append(f"not installed: {' '.join(missing)}")
     (top.parent / "scene.pov").write_text(SCENE, "utf-8")
