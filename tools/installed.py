@@ -19,6 +19,7 @@ SCENE = """#version 3.7; global_settings { assumed_gamma 1 }
 #include "stdinc.inc"
 #include "textures.inc"
 camera { location -4 * z look_at 0 } light_source { <-5, 8, -9> White }
+plane { z, 2 pigment { image_map { png "test.png" } } }
 object { Round_Box(<-1, -1, -1>, <1, 1, 1>, 0.2, no) texture { Jade } }
 """
 LAYOUTS = (("a prefix", ["--prefix", "{}/opt/durer"], "opt/durer"), ("a package", ["--prefix", "/usr"], "usr"))
@@ -42,6 +43,8 @@ def problems(top: Path, before: tuple[str, ...]) -> list[str]:
     done = run("+Iscene.pov", "+Oscene.png", "+W64", "+H48", "-D")
     if done.returncode != 0 or not (top.parent / "scene.png").exists():
         found.append(f"a scene with includes: {programs.first_error(done.stderr)}")
+    elif "`test.png`; one that stands in" not in done.stderr:
+        found.append("no warning tells that a picture stands in for POV-Ray's")
     if "texture of stones1.inc" not in (explained := run("doc", "T_Stone1").stdout):
         found.append(f"`durer doc T_Stone1` says: {explained[:200]}")
     return found
