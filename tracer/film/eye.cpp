@@ -80,7 +80,7 @@ Pixel Eye::through_lens(double x, double y, std::uint32_t index, int sample) {
   return look_along(ray, x, y, index * 4099 + static_cast<std::uint32_t>(sample));
 }
 
-Pixel Eye::look_along(CameraRay ray, double x, double y, std::uint32_t index) {
+Pixel Eye::look_along(const CameraRay& ray, double x, double y, std::uint32_t index) {
   scratch_.noise = seed(x, y, index);
   Path path;
   path.ray = {ray.ray.o, glm::normalize(ray.ray.d)};
