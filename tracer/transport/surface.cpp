@@ -161,6 +161,7 @@ void Tracer::transmit(const View& view, const LayerSum& layers, Path& path, Step
   next.reflected = path.reflected;
   next.wavelength = path.wavelength;
   next.bounce = path.bounce;
+  next.transmitted = true;
   step.through = a * layers.through;
   step.transmittance = grey(a) * layers.sigma;
 

@@ -119,6 +119,7 @@ Tracer::Look Tracer::look(const Hit& hit, dvec3 d) const {
   if (s.has_parts && !(from_inside && s.inside != s.outside)) {
     found.blend = Geometry::part_textures(hit);
   }
+  if (s.cutaway) found.blend = scene_->geometry.cutaway_textures(hit, from_inside);
   dress(view, found, hit, found.blend.count == 1 ? found.blend.parts[0].texture : scene::none);
   return found;
 }
@@ -141,7 +142,8 @@ ProgramId Tracer::texture_at(const Hit& hit, const SurfaceProgram& surface, bool
 void Tracer::dress(View& view, const Look& look, const Hit& hit, std::uint32_t texture) const {
   const SurfaceProgram& s = *look.surface;
   if (texture != scene::none) {
-    view.texture = &scene_->textures.program(scene_->part_textures[s.first_part + texture]);
+    view.texture = &scene_->textures.program(
+        s.cutaway ? scene_->surfaces[texture].outside : scene_->part_textures[s.first_part + texture]);
     view.places = hit.depth;
   }
   view.q = hit.at(view.places);

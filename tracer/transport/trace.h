@@ -31,9 +31,13 @@ struct Path {
   Containment inside;     // bodies that the ray is inside of
   std::uint32_t bounce = 0;   // of indirect light; above 0: the ray gathers some
   FirstHit* first = nullptr;  // who wants to know of the next surface, if somebody does
+  bool transmitted = false;  // it came through a surface
 
   [[nodiscard]] RayKind kind() const {
-    return bounce > 0 ? RayKind::gathering : reflected ? RayKind::reflection : RayKind::image;
+    return bounce > 0    ? RayKind::gathering
+           : reflected   ? RayKind::reflection
+           : transmitted ? RayKind::transmission
+                         : RayKind::image;
   }
 };
 
@@ -110,7 +114,7 @@ class Tracer {
   /// `alpha`: see RenderOptions.
   Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha);
 
-  [[nodiscard]] Radiance trace(Path path) { return follow(path, false); }
+  [[nodiscard]] Radiance trace(const Path& path) { return follow(path, false); }
 
  private:
   friend class MediaIntegrator;

@@ -26,8 +26,8 @@ struct Slab : SceneBuilder {
 scene::Media patterned(scene::Media media) {
   const SceneBuilder words(tracer::registry());
   scene::Pigment p;
-  p.pattern.type = words.pattern("gradient");
-  p.pattern.args = {0, 0, 1};
+  p.pattern.edit().type = words.pattern("gradient");
+  p.pattern.edit().args = {0, 0, 1};
   p.entries = {{0, rgbft(1, 1, 1)}, {1, rgbft(1, 1, 1)}};
   media.densities = {p};
   return media;

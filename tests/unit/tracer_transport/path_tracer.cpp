@@ -196,8 +196,8 @@ TEST_CASE("paths: bright spots of the sky are looked for", "[tracer][paths]") {
   SceneBuilder s(tracer::registry());
   s.look_straight({0, 0, -5}, {0, 0, 1});
   scene::Pigment sun;
-  sun.pattern.type = s.pattern("gradient");
-  sun.pattern.args = {0.5, 0.6, -0.62};
+  sun.pattern.edit().type = s.pattern("gradient");
+  sun.pattern.edit().args = {0.5, 0.6, -0.62};
   sun.entries = {{0, rgbft(0.1F, 0.2F, 0.3F)},
                  {0.97F, rgbft(0.1F, 0.2F, 0.3F)},
                  {0.97F, rgbft(40, 30, 20)},
@@ -240,8 +240,8 @@ TEST_CASE("paths: dispersed light adds up to what the bands do", "[tracer][paths
   water.dispersion_samples = 7;
   s.floor(plain(rgbft(1, 1, 1, 0, 1)), dull(), s.interior(water));
   scene::Pigment steps;
-  steps.pattern.type = s.pattern("gradient");
-  steps.pattern.args = {0, 0, 1};
+  steps.pattern.edit().type = s.pattern("gradient");
+  steps.pattern.edit().args = {0, 0, 1};
   steps.entries = {{0, rgbft(0, 0, 0)}, {1, rgbft(1, 1, 1)}};
   s.add("plane", {0, 1, 0, -4}, s.texture(steps, luminous()));
   check_near(along_paths(s.scene, 1024), as_ever(s.scene), 0.005);
