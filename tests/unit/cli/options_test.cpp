@@ -254,6 +254,18 @@ TEST_CASE("options: values out of range move to its end, as in POV-Ray", "[cli][
   CHECK(accepted({"+FN17"}).bits == 16);
 }
 
+TEST_CASE("options: random paths want all of the scene", "[cli][options]") {
+  const Settings s = accepted({"Integrator=path", "--samples=100", "Path_Bounces=0"});
+  CHECK(s.paths);
+  CHECK(s.path_samples == 100);
+  CHECK(s.path_bounces == 0);
+  CHECK_FALSE(check(s));
+  CHECK_FALSE(accepted({"Integrator=path", "--integrator", "trace"}).paths);
+  CHECK(check(accepted({"Integrator=path", "+Q8"})).has_value());
+  CHECK(refused({"Integrator=paths"}).find("trace or path") != std::string::npos);
+  refused({"--samples=0"});
+}
+
 TEST_CASE("options: sizes must be positive", "[cli][options]") {
   CHECK(refused({"+W0"}).find("whole number from 1") != std::string::npos);
   refused({"+H-3"});
