@@ -190,14 +190,15 @@ Emitters::Emitters(std::vector<Box> boxes, BrightSky sky) : sky_(std::move(sky))
   join(boxes.begin(), boxes.end(), most, boxes_);
 }
 
-double Emitters::power_at(dvec3 from) const {
-  double sum = sky_.power();
-  for (const Box& box : boxes_) sum += power_of(box, Faces(box.bounds, from), from);
-  return sum;
+// Indoors the sky is seen through windows only: it is not looked for more often than all else.
+double Emitters::with_sky(double boxes) const {
+  return boxes + (boxes > 0 ? std::min(boxes, sky_.power()) : sky_.power());
 }
 
 Aim Emitters::aim(dvec3 from, double pick, dvec2 u) const {
-  const double all = power_at(from);
+  double all = 0;
+  for (const Box& box : boxes_) all += power_of(box, Faces(box.bounds, from), from);
+  all = with_sky(all);
   if (!(all > 0)) return {};
   double rest = pick * all;
   Aim found;
@@ -218,8 +219,8 @@ Aim Emitters::aim(dvec3 from, double pick, dvec2 u) const {
 }
 
 double Emitters::density(dvec3 from, dvec3 d) const {
-  double all = sky_.power();
-  double sum = sky_.power() * sky_.density(d);
+  double all = 0;
+  double sum = 0;
   for (const Box& box : boxes_) {
     const Faces faces(box.bounds, from);
     const double own = power_of(box, faces, from);
@@ -227,6 +228,9 @@ double Emitters::density(dvec3 from, dvec3 d) const {
     all += own;
     sum += own * faces.density(d);
   }
+  const double boxes = all;
+  all = with_sky(boxes);
+  if (all > boxes) sum += (all - boxes) * sky_.density(d);
   return all > 0 ? sum / all : 0;
 }
 

@@ -63,7 +63,7 @@ class Emitters {
   [[nodiscard]] const std::vector<Box>& boxes() const { return boxes_; }
 
  private:
-  [[nodiscard]] double power_at(dvec3 from) const;
+  [[nodiscard]] double with_sky(double boxes) const;
 
   std::vector<Box> boxes_;
   BrightSky sky_;
