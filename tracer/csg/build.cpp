@@ -49,19 +49,20 @@ Bounds3 inside_in(const Flat& flat, const FlatNode& node, const Transform& frame
   return inside;
 }
 
-/// What has been turned as a whole, half-spaces and all, may be bounded along its own axes.
+/// What has been turned as a whole, half-spaces and all, has closer bounds along its own axes.
 void bound_turned(const Flat& flat, const FlatNode& node, Bounds3& inside) {
-  constexpr int most = 4;  // leaves whose axes are tried
+  constexpr int most = 3;  // leaves whose axes are tried
   int tried = 0;
   for (const std::uint32_t child : node.children) {
+    if (inside.empty() || tried == most) return;
     if (flat.nodes[child].op != Op::leaf) continue;
-    if (++tried > most) return;
-    const Transform& frame = flat.parts[flat.nodes[child].part].to_world;
+    const SharedTransform& frame = flat.parts[flat.nodes[child].part].to_world;
+    if (frame.is_identity()) continue;
+    ++tried;
     const Bounds3 own = inside_in(flat, node, frame);
     if (own.empty()) return void(inside = own);
     if (own.infinite()) continue;
-    inside = inside.intersection(BoxTree::grown(own).transformed(frame.forward));
-    return;
+    inside = inside.intersection(BoxTree::grown(own).transformed(frame->forward));
   }
 }
 
@@ -102,10 +103,14 @@ class SolidBuilder {
     Extent extent;
     if (node.op == Op::all) extent.inside = Bounds3::everything();
     std::vector<std::uint32_t> leaves;  // among the children
+    bool endless = false;               // one of them has no box
     for (const std::uint32_t child : node.children) {
       const Extent e = add(child, index);
       if (e.value) ++solid_.counts[index];
-      if (e.leaf != no_node) leaves.push_back(e.leaf);
+      if (e.leaf != no_node) {
+        leaves.push_back(e.leaf);
+        endless = endless || (e.inside.infinite() && !solid_.leaves[e.leaf].inverted);
+      }
       extent.surface.add(e.surface);
       if (node.op == Op::all) {
         extent.inside = extent.inside.intersection(e.inside);
@@ -115,7 +120,7 @@ class SolidBuilder {
     }
     if (node.op == Op::all) {
       tighten(leaves, extent.inside);
-      if (extent.inside.infinite()) bound_turned(flat_, node, extent.inside);
+      if (endless) bound_turned(flat_, node, extent.inside);
     }
     // A surface counts inside the others and lies on the border of its own inside.
     if (node.op == Op::all) extent.surface = extent.surface.intersection(extent.inside);
