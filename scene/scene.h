@@ -16,6 +16,7 @@
 #include "scene/media.h"
 #include "scene/object.h"
 #include "scene/origin.h"
+#include "scene/photons.h"
 #include "scene/radiosity.h"
 #include "scene/texture.h"
 
@@ -42,6 +43,7 @@ struct Settings {
   int number_of_waves = 10;  // sources of the `waves` and `ripples` patterns
   double mm_per_unit = 10;   // scale of subsurface light transport
   std::optional<Radiosity> radiosity;
+  std::optional<Photons> photons;
   GammaMode gamma_mode = GammaMode::off;
   GammaCurve assumed_gamma;  // meaning of scene numbers; identity curve in mode `off`
   /// Hundredths; decides opacity, sky and gamma rules at render time (shading §1.1).
