@@ -62,6 +62,7 @@ void compile_surfaces(CompiledScene& out) {
     program.double_illuminate = s.double_illuminate;
     program.uv_mapping = s.uv_mapping;
     program.lamps = s.lamps;
+    program.photons = s.photons;
     bool all_opaque = true;
     if (s.part_textures != nullptr) {
       program.has_parts = true;

@@ -27,6 +27,7 @@ struct SurfaceProgram {
   bool uv_mapping = false;  // all textures are looked up at (u, v, 0)
   bool has_parts = false;   // single parts of the surface have textures of their own:
   std::uint32_t first_part = 0;  // index into CompiledScene::part_textures
+  PhotonTraits photons;
 };
 
 /// Stands for what shared contents receive from outside: see Placement::surface.

@@ -10,6 +10,7 @@
 #include "tracer/film/pretrace.h"
 #include "tracer/film/progress.h"
 #include "tracer/film/threads.h"
+#include "tracer/transport/photon_shooting.h"
 
 namespace durer::tracer {
 namespace {
@@ -110,9 +111,11 @@ IrradianceCache gather_light(const Viewpoint& view, int threads, ProgressMeter& 
 }
 
 // Threads take the next block in row-major order until none is left, past those already done.
-void render_blocks(const Viewpoint& view, const std::vector<Block>& blocks, int threads,
+void render_blocks(Viewpoint view, const std::vector<Block>& blocks, int threads,
                    ProgressMeter& meter, image::Image& image,
                    std::vector<std::atomic<bool>>* done) {
+  const PhotonMaps photons = shoot_photons(*view.scene, threads, meter);
+  view.photons = &photons;
   const IrradianceCache cache = gather_light(view, threads, meter);
   std::atomic<std::size_t> next{0};
   const auto work = [&](int) {
