@@ -138,9 +138,10 @@ PhotonRing ring_of(const PhotonPair& pair, int ring, std::uint32_t seed) {
   r.radius = pair.ring(ring);
   const double across = pair.lamp->parallel ? r.radius : std::sin(r.radius);
   r.step = r.radius < epsilon ? 2 * pi : pair.step / across;
-  r.first = -pi + next_random(seed) * r.step / 2;
-  const double last = pi - r.step / 2;
-  r.count = r.first > last ? 0 : static_cast<int>((last - r.first) / r.step) + 1;
+  // Where a turn is no whole number of steps there is a gap, or an overlap: anywhere, and as often
+  // the one as the other, so that nothing of it is seen.
+  r.first = 2 * pi * next_random(seed);
+  r.count = static_cast<int>(2 * pi / r.step + next_random(seed));
   return r;
 }
 
