@@ -21,6 +21,9 @@ struct Finish {
   float phong_size = 40;
   float specular = 0;
   float specular_exponent = 20;
+  // Cosines below which highlights are too weak to be worth a power.
+  double least_phong = 0;
+  double least_specular = 0;
   float metallic = 0;
   float crand = 0;
   float reflection_falloff = 1;

@@ -17,10 +17,9 @@ double density(std::size_t count, double radius, bool flat) {
   return flat ? n / (pi * radius * radius) : 3 * n / (4 * pi * radius * radius * radius);
 }
 
-}  // namespace
-
-double gather(const PhotonMap& map, const PhotonGathering& how, dvec3 p, dvec3 n,
-              std::vector<NearPhoton>& found) {
+// Returns the radius that the photons stand for.
+double look_around(const PhotonMap& map, const PhotonGathering& how, dvec3 p, dvec3 n,
+                   std::vector<NearPhoton>& found) {
   constexpr double wider = 3;
   const double radius = map.nearest({p, n, how.most, how.radius}, found);
   if (found.size() >= how.least) return radius;
@@ -38,6 +37,13 @@ double gather(const PhotonMap& map, const PhotonGathering& how, dvec3 p, dvec3 n
   return map.nearest({p, n, how.most, how.radius}, found);
 }
 
+}  // namespace
+
+void gather(const PhotonMap& map, const PhotonGathering& how, dvec3 p, dvec3 n,
+            FoundPhotons& found) {
+  found.radius = look_around(map, how, p, n, found.photons);
+}
+
 double usual_radius(const PhotonMap& map, std::size_t most, bool flat) {
   if (map.empty() || most == 0) return 0;
   const std::size_t tries = std::clamp<std::size_t>(map.size() / 20, 100, 1000);
@@ -51,7 +57,7 @@ double usual_radius(const PhotonMap& map, std::size_t most, bool flat) {
       // Seen from all sides: what a surface there looks like is not known here.
       const double radius = map.nearest({dvec3(p), dvec3(0.0), most, within}, found);
       double farthest = 0;
-      for (const NearPhoton& f : found) farthest = std::max(farthest, double{f.distance2});
+      for (const NearPhoton& f : found) farthest = std::max(farthest, double{f.distance2()});
       const double r = std::isinf(radius) ? std::sqrt(farthest) : radius;
       if (r > 0) visit(density(found.size(), r, flat));
     }

@@ -116,21 +116,42 @@ class PhotonMap::Search {
     }
     for (std::size_t i = 0; i < lanes; ++i) {
       if (d2[i] < bound_) {
-        found_.push_back({d2[i], index * static_cast<std::uint32_t>(lanes) +
-                                     static_cast<std::uint32_t>(i)});
+        found_.emplace_back(d2[i], index * static_cast<std::uint32_t>(lanes) +
+                                       static_cast<std::uint32_t>(i));
       }
     }
     if (found_.size() >= 2 * most_ + lanes) narrow();
   }
 
+  // Keeps the nearest `most_`. Photons are spread evenly over areas, so the squares of their
+  // distances are even, too: counting them in equal steps leaves only those of one step to compare.
   void narrow() {
-    const auto last = found_.begin() + static_cast<std::ptrdiff_t>(most_) - 1;
-    std::nth_element(found_.begin(), last, found_.end(),
-                     [](const NearPhoton& a, const NearPhoton& b) {
-                       return a.distance2 != b.distance2 ? a.distance2 < b.distance2
-                                                         : a.index < b.index;
-                     });
-    bound_ = last->distance2;
+    auto first = found_.begin();
+    std::size_t wanted = most_;
+    if (bound_ < std::numeric_limits<float>::max()) {
+      constexpr int steps = 64;
+      const float scale = steps / bound_;
+      const auto step_of = [&](NearPhoton f) {
+        return std::min(static_cast<int>(f.distance2() * scale), steps - 1);
+      };
+      std::array<std::uint32_t, steps> count{};
+      for (const NearPhoton f : found_) ++count[static_cast<std::size_t>(step_of(f))];
+      int last_step = 0;
+      while (count[static_cast<std::size_t>(last_step)] < wanted) {
+        wanted -= count[static_cast<std::size_t>(last_step++)];
+      }
+      auto end = first;
+      for (const NearPhoton f : found_) {
+        *end = f;
+        end += step_of(f) <= last_step ? 1 : 0;
+      }
+      found_.erase(end, found_.end());
+      first = std::partition(first, found_.end(),
+                             [&](NearPhoton f) { return step_of(f) < last_step; });
+    }
+    const auto last = first + static_cast<std::ptrdiff_t>(wanted) - 1;
+    std::nth_element(first, last, found_.end());
+    bound_ = last->distance2();
     found_.resize(most_);
     narrowed_ = true;
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,10 +19,24 @@ struct Photon {
   vec3 l{0.0F};  // unit, back to where it came from
 };
 
-/// One of the photons around a point.
-struct NearPhoton {
-  float distance2 = 0;      // square of its distance, as the question measures it
-  std::uint32_t index = 0;  // of PhotonMap
+/// One of the photons around a point, in one number that sorts by distance.
+class NearPhoton {
+ public:
+  NearPhoton() = default;
+  NearPhoton(float distance2, std::uint32_t index)
+      : key_(std::uint64_t{std::bit_cast<std::uint32_t>(distance2)} << 32 | index) {}
+
+  /// Square of its distance, as the question measures it.
+  [[nodiscard]] float distance2() const {
+    return std::bit_cast<float>(static_cast<std::uint32_t>(key_ >> 32));
+  }
+  /// Of PhotonMap.
+  [[nodiscard]] std::uint32_t index() const { return static_cast<std::uint32_t>(key_); }
+
+  friend bool operator<(NearPhoton a, NearPhoton b) { return a.key_ < b.key_; }
+
+ private:
+  std::uint64_t key_ = 0;
 };
 
 /// Which photons are wanted.
@@ -77,9 +92,15 @@ struct PhotonGathering {
   std::size_t expand_min = 35;   // below so many it may bring any
 };
 
-/// The photons around `p`; returns the radius that they stand for.
-double gather(const PhotonMap& map, const PhotonGathering& how, dvec3 p, dvec3 n,
-              std::vector<NearPhoton>& found);
+/// The photons around a point that somebody found last.
+struct FoundPhotons {
+  std::vector<NearPhoton> photons;
+  double radius = 0;  // that they stand for
+};
+
+/// Finds the photons around `p`.
+void gather(const PhotonMap& map, const PhotonGathering& how, dvec3 p, dvec3 n,
+            FoundPhotons& found);
 
 /// A radius that holds about as many photons as wanted where they are as dense as usual
 /// (participating-and-global §3.8). `flat`: they lie on surfaces.

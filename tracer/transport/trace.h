@@ -101,8 +101,8 @@ struct Scratch {
   std::vector<LampSpan> lamp_spans;   // of the ray whose media are being integrated
   std::vector<LitPart> lit_parts;
   const PhotonMaps* photons = nullptr;   // if there are any
-  std::vector<NearPhoton> near_photons;  // those around the point being lit
-  double photon_radius = 0;              // that they stand for
+  FoundPhotons near_photons;             // around the point being lit
+  FoundPhotons media_photons;            // likewise, in media
 };
 
 /// Traces rays of one thread.
@@ -265,6 +265,8 @@ class Tracer {
   // caustics.cpp
   void find_photons(const View& view, dvec3 n);
   [[nodiscard]] vec3 caustics(const View& view, const LayerPoint& layer);
+  [[nodiscard]] vec3 any_caustics(const View& view, const LayerPoint& layer);
+  [[nodiscard]] vec3 plain_caustics(const View& view, const LayerPoint& layer);
   [[nodiscard]] bool has_caustics() const {
     return scratch_->photons != nullptr && !scratch_->photons->surfaces.empty();
   }
