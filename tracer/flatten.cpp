@@ -71,11 +71,10 @@ class SurfaceTable {
     std::string key(1, s.double_illuminate ? '1' : '0');
     key += s.uv_mapping ? '1' : '0';
     const PhotonTraits& p = s.photons;
-    for (const std::optional<bool>& said : {p.refraction, p.reflection}) {
+    for (const std::optional<bool>& said : {p.refraction, p.reflection, p.collect}) {
       key += said ? (*said ? '1' : '0') : '-';
     }
     key += p.pass_through ? '1' : '0';
-    key += p.collects ? '1' : '0';
     key.append(reinterpret_cast<const char*>(&p.target), sizeof p.target);
     key.append(reinterpret_cast<const char*>(&s.lamps), sizeof s.lamps);
     key.append(reinterpret_cast<const char*>(&s.part_textures), sizeof s.part_textures);
@@ -201,13 +200,14 @@ class Flattener {
   void inherit_photons(scene::ObjectId id, const Context& around, Context& own) {
     const scene::ObjectPhotons& said = scene_.objects[id].extras->photons;
     PhotonTraits& p = own.photons;
-    if (said.refraction) p.refraction = said.refraction;
-    if (said.reflection) p.reflection = said.reflection;
-    if (said.collect) p.collects = *said.collect;
+    // The outermost who says something decides.
+    if (!p.refraction) p.refraction = said.refraction;
+    if (!p.reflection) p.reflection = said.reflection;
+    if (!p.collect) p.collect = said.collect;
     p.pass_through = p.pass_through || said.pass_through;
     if (said.target == 0 || p.target != none || !lamp_sets_[own.lamps].global) return;
     p.target = static_cast<std::uint32_t>(flat_.photon_targets.size());
-    flat_.photon_targets.push_back({said.target, p.refraction, p.reflection, p.collects,
+    flat_.photon_targets.push_back({said.target, p.refraction, p.reflection, p.collects(),
                                     extent_of(scene_, id, around.to_world)});
   }
 

@@ -15,8 +15,10 @@ struct PhotonTraits {
   std::uint32_t target = scene::none;  // index into Geometry::photon_targets()
   std::optional<bool> refraction;
   std::optional<bool> reflection;
+  std::optional<bool> collect;
   bool pass_through = false;
-  bool collects = true;
+
+  [[nodiscard]] bool collects() const { return collect != false; }
 
   friend bool operator==(const PhotonTraits&, const PhotonTraits&) = default;
 };

@@ -111,11 +111,9 @@ IrradianceCache gather_light(const Viewpoint& view, int threads, ProgressMeter& 
 }
 
 // Threads take the next block in row-major order until none is left, past those already done.
-void render_blocks(Viewpoint view, const std::vector<Block>& blocks, int threads,
+void render_blocks(const Viewpoint& view, const std::vector<Block>& blocks, int threads,
                    ProgressMeter& meter, image::Image& image,
                    std::vector<std::atomic<bool>>* done) {
-  const PhotonMaps photons = shoot_photons(*view.scene, threads, meter);
-  view.photons = &photons;
   const IrradianceCache cache = gather_light(view, threads, meter);
   std::atomic<std::size_t> next{0};
   const auto work = [&](int) {
@@ -179,7 +177,10 @@ RenderResult render(const CompiledScene& scene, const RenderOptions& options,
     if (!done || !(*done)[i]) pixels += pixels_of(blocks[i]);
   }
   ProgressMeter meter(pixels, on_progress, cancel);
-  render_blocks(Viewpoint(scene, options), blocks, threads, meter, image, done);
+  const PhotonMaps photons = shoot_photons(scene, threads, meter, result.warning);
+  Viewpoint view(scene, options);
+  view.photons = &photons;
+  render_blocks(view, blocks, threads, meter, image, done);
   result.final = meter.now();
   result.cancelled = meter.cancelled();
   if (checkpoint && !result.cancelled) result.image = std::move(checkpoint->image);

@@ -22,7 +22,7 @@ struct Share {
   int first = 0;
   int end = 0;
   bool met = false;  // some photon met the target
-  PhotonCatch caught;
+  PhotonLists caught;
 };
 
 // What one thread needs.
@@ -62,7 +62,7 @@ class Shooting {
     }
   }
 
-  PhotonCatch caught() && { return std::move(all_); }
+  PhotonLists caught() && { return std::move(all_); }
 
  private:
   [[nodiscard]] static std::uint32_t seed(std::uint32_t pair, int ring, int photon) {
@@ -116,8 +116,17 @@ class Shooting {
   int threads_;
   ProgressMeter& meter_;
   std::vector<std::unique_ptr<Gunner>> gunners_;
-  PhotonCatch all_;
+  PhotonLists all_;
 };
+
+PhotonLists shoot_all(const CompiledScene& scene, int threads, ProgressMeter& meter) {
+  const std::vector<PhotonPair> pairs = plan_photons(scene);
+  Shooting shooting(scene, threads, meter);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    shooting.shoot(pairs[i], static_cast<std::uint32_t>(i));
+  }
+  return std::move(shooting).caught();
+}
 
 PhotonGathering gathering(const scene::Photons& s, const PhotonMap& map, bool flat) {
   PhotonGathering g;
@@ -134,16 +143,17 @@ PhotonGathering gathering(const scene::Photons& s, const PhotonMap& map, bool fl
 
 }  // namespace
 
-PhotonMaps shoot_photons(const CompiledScene& scene, int threads, ProgressMeter& meter) {
+PhotonMaps shoot_photons(const CompiledScene& scene, int threads, ProgressMeter& meter,
+                         std::string& warning) {
   PhotonMaps maps;
   const std::optional<scene::Photons>& settings = scene.scene->settings.photons;
   if (!settings || !scene.quality.photons || settings->gather_max == 0) return maps;
-  const std::vector<PhotonPair> pairs = plan_photons(scene);
-  Shooting shooting(scene, threads, meter);
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    shooting.shoot(pairs[i], static_cast<std::uint32_t>(i));
+  PhotonLists caught = settings->loaded.empty()
+                           ? shoot_all(scene, threads, meter)
+                           : decode_photons(settings->loaded).value_or(PhotonLists{});
+  if (!settings->save_file.empty() && !meter.cancelled()) {
+    warning = write_photons(caught, settings->save_file).value_or("");
   }
-  PhotonCatch caught = std::move(shooting).caught();
   maps.surfaces = PhotonMap(std::move(caught.surfaces));
   maps.media = PhotonMap(std::move(caught.media));
   maps.on_surfaces = gathering(*settings, maps.surfaces, true);

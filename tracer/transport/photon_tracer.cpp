@@ -20,7 +20,7 @@ PhotonTracer::PhotonTracer(const CompiledScene& scene, Scratch& scratch)
   adc_ = static_cast<float>(photons.adc_bailout.value_or(settings.adc_bailout));
 }
 
-bool PhotonTracer::shoot(const PhotonPair& pair, const EmittedPhoton& photon, PhotonCatch& out) {
+bool PhotonTracer::shoot(const PhotonPair& pair, const EmittedPhoton& photon, PhotonLists& out) {
   Journey journey{pair, out};
   Flight flight;
   flight.path.ray = photon.ray;
@@ -65,7 +65,7 @@ void PhotonTracer::follow(Flight flight, Journey& journey) {
   const Interior& body = scene_.interiors[hit.interior];
   if (fades(body) && path.inside.contains(hit.interior)) flight.colour *= fade(body, hit.t);
   flight.way += hit.t;
-  if (flight.hits > 0 && traits.collects) {
+  if (flight.hits > 0 && traits.collects()) {
     leave(flight, hit.p, flight.colour, flight.way, journey.pair, journey.out.surfaces);
   }
   if (flight.hits > 0 || !traits.pass_through) ++flight.hits;

@@ -5,15 +5,10 @@
 #include <vector>
 
 #include "tracer/transport/media.h"
+#include "tracer/transport/photon_file.h"
 #include "tracer/transport/photon_plan.h"
 
 namespace durer::tracer {
-
-/// What photons left behind, in the order of their ways.
-struct PhotonCatch {
-  std::vector<Photon> surfaces;
-  std::vector<Photon> media;
-};
 
 /// Follows photons on behalf of one thread.
 class PhotonTracer {
@@ -21,7 +16,7 @@ class PhotonTracer {
   PhotonTracer(const CompiledScene& scene, Scratch& scratch);
 
   /// Sends a photon of `pair` on its way. True if it met its target.
-  bool shoot(const PhotonPair& pair, const EmittedPhoton& photon, PhotonCatch& out);
+  bool shoot(const PhotonPair& pair, const EmittedPhoton& photon, PhotonLists& out);
 
  private:
   // A photon between two surfaces.
@@ -34,7 +29,7 @@ class PhotonTracer {
   // What the flight was started with.
   struct Journey {
     const PhotonPair& pair;
-    PhotonCatch& out;
+    PhotonLists& out;
     bool on_target = false;
   };
   using View = Tracer::View;
