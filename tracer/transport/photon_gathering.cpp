@@ -64,6 +64,7 @@ double usual_radius(const PhotonMap& map, std::size_t most, bool flat) {
   };
   double sum = 0;
   each(std::numeric_limits<double>::infinity(), [&](double d) { sum += d; });
+  if (!(sum > 0)) return 0;
   const double mean = sum / static_cast<double>(tries);
   const double n = static_cast<double>(most);
   double radius = flat ? std::sqrt(n / (mean * pi)) : std::cbrt(3 * n / (4 * pi * mean));
