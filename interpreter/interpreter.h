@@ -689,6 +689,9 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   void read_radiosity_count(scene::Radiosity& r, const Token& word);
   void check_reuse(scene::Radiosity& r, bool minimum_given, bool maximum_given, Span span);
   float read_importance(const Token& word);
+  // ---- subsurface.cpp
+  void read_subsurface(const Token& word);
+  void read_translucency(scene::Finish& finish, const Token& word);
   // ---- photons.cpp
   void read_photons(const Token& word);
   void read_photon_file(scene::Photons& photons, const Token& word);

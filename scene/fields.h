@@ -320,6 +320,13 @@ struct Fields<Rainbow> {
 };
 
 template <>
+struct Fields<Subsurface> {
+  static constexpr std::tuple all{field("samples", &Subsurface::samples),
+                                  field("single_samples", &Subsurface::single_samples),
+                                  field("radiosity", &Subsurface::radiosity)};
+};
+
+template <>
 struct Fields<Settings> {
   static constexpr std::tuple all{field("adc_bailout", &Settings::adc_bailout),
                                   field("max_trace_level", &Settings::max_trace_level),
@@ -330,6 +337,7 @@ struct Fields<Settings> {
                                   field("mm_per_unit", &Settings::mm_per_unit),
                                   field("radiosity", &Settings::radiosity),
                                   field("photons", &Settings::photons),
+                                  field("subsurface", &Settings::subsurface),
                                   field("gamma_mode", &Settings::gamma_mode),
                                   field("assumed_gamma", &Settings::assumed_gamma),
                                   field("effective_version", &Settings::effective_version),
@@ -437,6 +445,8 @@ struct Fields<Finish> {
                                   field("irid", &Finish::irid),
                                   field("irid_thickness", &Finish::irid_thickness),
                                   field("irid_turbulence", &Finish::irid_turbulence),
+                                  field("translucency", &Finish::translucency),
+                                  field("subsurface", &Finish::subsurface),
                                   field("ior", &Finish::ior),
                                   field("caustics", &Finish::caustics),
                                   field("refraction", &Finish::refraction),

@@ -15,7 +15,8 @@ struct Quality {
         normals(level >= 8),
         atmosphere(level >= 9),
         radiosity(level >= 9),
-        photons(level >= 9) {}
+        photons(level >= 9),
+        subsurface(level >= 9) {}
 
   bool lights;         // without them a surface shows its innermost visible pigment
   bool shadows;
@@ -27,6 +28,7 @@ struct Quality {
   bool atmosphere;  // fog, rainbows, media
   bool radiosity;
   bool photons;
+  bool subsurface;
 };
 
 }  // namespace durer::tracer

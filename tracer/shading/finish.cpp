@@ -31,8 +31,9 @@ vec3 blend(const Finish& f, double share) {
          static_cast<float>(1 - share) * f.reflection_min;
 }
 
-// Unpolarised reflectance of a dielectric; 1 beyond the critical angle.
-double fresnel(double cosi, double n) {
+}  // namespace
+
+double fresnel_reflectance(double cosi, double n) {
   const double g2 = n * n + cosi * cosi - 1;
   if (g2 <= 0) return 1;
   const double g = std::sqrt(g2);
@@ -40,8 +41,6 @@ double fresnel(double cosi, double n) {
   const double b = (cosi * (g + cosi) - 1) / (cosi * (g - cosi) + 1);
   return std::clamp(0.5 * a * a * (1 + b * b), 0.0, 1.0);
 }
-
-}  // namespace
 
 Finish compile_finish(const scene::Finish& in, vec3 ambient_light, vec3 irid_wavelength,
                       functions::NoiseGenerator noise_generator) {
@@ -70,6 +69,7 @@ Finish compile_finish(const scene::Finish& in, vec3 ambient_light, vec3 irid_wav
   f.irid_turbulence = in.irid_turbulence;
   f.irid_wavelength = irid_wavelength;
   f.noise_generator = noise_generator;
+  if (in.subsurface) f.translucency = in.translucency;
   f.fresnel = in.fresnel;
   f.conserve_energy = in.conserve_energy;
   f.highlights = in.phong != 0 || in.specular != 0;
@@ -81,7 +81,7 @@ Finish compile_finish(const scene::Finish& in, vec3 ambient_light, vec3 irid_wav
 Reflectivity reflectivity(const Finish& f, double cosi, double relative_ior, vec3 pigment) {
   Reflectivity r;
   if (f.fresnel) {
-    r.rho = blend(f, fresnel(cosi, relative_ior));
+    r.rho = blend(f, fresnel_reflectance(cosi, relative_ior));
     r.weight = greatest(r.rho);
   } else {
     const double away = 1 - cosi;

@@ -15,8 +15,9 @@ float greatest_size(vec3 c) { return std::max({std::abs(c.x), std::abs(c.y), std
 
 bool is_one(double x) { return std::abs(x - 1) < epsilon; }
 
-// Snell's law for unit `d`; false beyond the critical angle.
-bool refract(dvec3 d, dvec3 normal, double eta, dvec3& out) {
+}  // namespace
+
+bool refracted(dvec3 d, dvec3 normal, double eta, dvec3& out) {
   double n = glm::dot(d, normal);
   if (n <= 0) {
     n = -n;
@@ -28,8 +29,6 @@ bool refract(dvec3 d, dvec3 normal, double eta, dvec3& out) {
   out = eta * d + (eta * n - std::sqrt(k)) * normal;
   return true;
 }
-
-}  // namespace
 
 bool Tracer::same_direction(dvec3 a, dvec3 b) {
   const dvec3 e = glm::abs(a - b);
@@ -71,6 +70,15 @@ float Tracer::opacity(const Colour& c) const {
   return 1 - (c.filter * std::max({c.rgb.x, c.rgb.y, c.rgb.z}) + c.transmit);
 }
 
+// A finish of which light that falls in goes elsewhere.
+Finish Tracer::without_diffuse(const Finish& finish) const {
+  Finish f = finish;
+  f.diffuse = f.diffuse_back = 0;
+  if (scene_->scene->settings.subsurface->radiosity) f.indirect = f.indirect_back = 0;
+  f.lit = f.highlights;
+  return f;
+}
+
 Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
   const TextureStore& textures = scene_->textures;
   LayerSum sum;
@@ -91,11 +99,20 @@ Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
       sum.sigma = std::min(sum.sigma, std::abs(grey(sum.through *= c.transmission())));
       continue;
     }
-    const LayerPoint layer{&textures.finish(program), n, c.rgb, opacity(c)};
+    const LayerPoint whole{&textures.finish(program), n, c.rgb, opacity(c)};
+    LayerPoint layer = whole;
+    vec3 from_below(0.0F);
+    Finish above;  // what is left of the finish where light goes below
+    if (is_translucent(view, *layer.finish)) {
+      from_below = subsurface(view, path, layer);
+      first_lit = true;  // it lights other places
+      above = without_diffuse(*layer.finish);
+      layer.finish = &above;
+    }
     const Finish& f = *layer.finish;
     vec3 rho(0.0F);
-    if (f.reflects) rho = remember_reflection(view, path, layer, sum.sigma);
-    vec3 light = c.rgb * f.glow_pigment * layer.opacity;
+    if (f.reflects) rho = remember_reflection(view, path, whole, sum.sigma);
+    vec3 light = c.rgb * f.glow_pigment * layer.opacity + from_below;
     if (f.lit) {
       light += illuminate(view, path, layer, first_lit);
       if (photons) {
@@ -194,7 +211,7 @@ Tracer::Crossing Tracer::cross(const View& view, const LayerSum& layers, const P
 // reflected instead, `next` is the reflected path, and the film of the surface tints it.
 std::optional<vec3> Tracer::bend_path(const View& view, const LayerSum& layers, const Path& path,
                                       double eta, Path& next) const {
-  if (refract(view.d, layers.top, eta, next.ray.d)) return std::nullopt;
+  if (refracted(view.d, layers.top, eta, next.ray.d)) return std::nullopt;
   next = inward(view, path, layers.top, next.weight);
   return film_tint(view, layers.top, next.ray.d);
 }

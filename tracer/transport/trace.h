@@ -101,6 +101,7 @@ struct Scratch {
   std::vector<LampSpan> lamp_spans;   // of the ray whose media are being integrated
   std::vector<LitPart> lit_parts;
   const PhotonMaps* photons = nullptr;   // if there are any
+  int below = 0;  // how many looks below surfaces are going on
   FoundPhotons near_photons;             // around the point being lit
   FoundPhotons media_photons;            // likewise, in media
 };
@@ -199,6 +200,7 @@ class Tracer {
   [[nodiscard]] double choose(View& view, const TextureChoice& choice) const;
   [[nodiscard]] dvec3 bend(const View& view, const LayerProgram& layer, SurfaceView& seen) const;
   [[nodiscard]] Step surface(const View& view, Path& path);
+  [[nodiscard]] Finish without_diffuse(const Finish& finish) const;
   [[nodiscard]] LayerSum sum_layers(const View& view, const Path& path);
   [[nodiscard]] float opacity(const Colour& c) const;
   // Indirect light.
@@ -290,6 +292,19 @@ class Tracer {
   [[nodiscard]] vec3 light_through_bodies(const Ray& ray, double depth, const Containment& inside);
   [[nodiscard]] vec3 light_through_air(const Ray& ray, double depth, const Containment& inside);
 
+  // subsurface.cpp
+  struct Body;
+  [[nodiscard]] bool is_translucent(const View& view, const Finish& finish) const;
+  [[nodiscard]] vec3 subsurface(const View& view, const Path& path, const LayerPoint& layer);
+  [[nodiscard]] bool reach_surface(const Body& body, const Ray& ray, Hit& hit);
+  template <typename Visit>
+  void each_lamp(const Body& body, dvec3 p, dvec3 n, Visit visit);
+  [[nodiscard]] dvec3 diffused(const Body& body);
+  [[nodiscard]] dvec3 entering(const Body& body, dvec3 p, dvec3 n);
+  [[nodiscard]] dvec3 scattered_once(const Body& body);
+  [[nodiscard]] double single_light(const Body& body, dvec3 x, double inner_cosine, int c);
+  [[nodiscard]] vec3 unscattered(const Body& body);
+
   // When a path is not worth following.
   struct Limits {
     int max_level = 0;
@@ -308,6 +323,10 @@ class Tracer {
   bool gathers_air_ = false;  // … and rays that gather indirect light see it
   Quality quality_;
 };
+
+/// Snell's law for unit `d`, from either side of `normal`; false beyond the critical angle. `eta`: n
+/// before over n behind.
+[[nodiscard]] bool refracted(dvec3 d, dvec3 normal, double eta, dvec3& out);
 
 /// The mirror image of `d` about `n`, kept on the side of `g` (shading §4.8).
 [[nodiscard]] dvec3 mirror(dvec3 d, dvec3 n, dvec3 g);
