@@ -17,7 +17,7 @@ texture {
 }
 plane { y, 0 texture { Marble } interior { ior 1.5 } }
 difference {
-  superellipsoid { <0.3, 0.3> }
+  box { -1, 1 }
   cylinder { -2*z, 2*z, 0.5 }
   scale 0.7 rotate 30*y translate <-1.4, 0.72, 0.5>
   texture { Marble } interior { ior 1.5 }

@@ -100,6 +100,7 @@ void compile_interiors(const scene::Scene& scene, CompiledScene& out) {
       out.interiors.back().media = out.media.add(*interior->media, instances[i].to_world);
     }
   }
+  if (out.subsurface) out.subsurface->add_interiors(out.interiors);
   if (out.quality.atmosphere) out.air_media = out.media.add(scene.atmosphere, {});
 }
 

@@ -15,6 +15,7 @@
 #include "tracer/shading/sky.h"
 #include "tracer/shading/texture.h"
 #include "tracer/transport/radiosity.h"
+#include "tracer/transport/subsurface.h"
 
 namespace durer::tracer {
 
@@ -37,6 +38,9 @@ struct CompiledScene {
   CompiledScene(const scene::Scene& s, Geometry g, Quality q)
       : scene(&s), quality(q), geometry(std::move(g)), textures(s, q), sky(s), atmosphere(s), media(s.settings) {
     if (s.settings.radiosity && q.radiosity) radiosity.emplace(s);
+    if (s.settings.subsurface && q.subsurface) {
+      subsurface.emplace(*s.settings.subsurface, s.settings.mm_per_unit);
+    }
   }
 
   const scene::Scene* scene;
@@ -46,6 +50,7 @@ struct CompiledScene {
   Sky sky;
   Atmosphere atmosphere;
   std::optional<RadiosityProgram> radiosity;
+  std::optional<SubsurfaceProgram> subsurface;
   std::vector<SurfaceProgram> surfaces;  // parallel to geometry.surfaces()
   std::vector<ProgramId> part_textures;
   std::vector<Interior> interiors;       // parallel to geometry.interiors()

@@ -38,24 +38,24 @@ double diffuse_fresnel(double eta) {
   return (x + 3 * std::pow(x, 4.5)) / 4;
 }
 
-// The oracle knows hundredths, and goes straight between them.
-double reduced_albedo(double colour, double boundary) {
-  constexpr double steps = 100;
-  const double at = std::clamp(colour, 0.0, 1.0) * steps;
-  const double below = std::min(std::floor(at), steps - 1);
-  const double lo = albedo_of(below / steps, boundary);
-  const double hi = albedo_of((below + 1) / steps, boundary);
-  return lo + (at - below) * (hi - lo);
+AlbedoTable::AlbedoTable(double ior) {
+  const double boundary = boundary_of(diffuse_fresnel(ior));
+  for (std::size_t i = 0; i <= steps; ++i) albedo_[i] = albedo_of(double(i) / steps, boundary);
 }
 
-Translucency translucency(vec3 colour, vec3 mean_way, double ior, double eta) {
+double AlbedoTable::operator()(double colour) const {
+  const double at = std::clamp(colour, 0.0, 1.0) * steps;
+  const auto below = std::min(static_cast<std::size_t>(at), steps - 1);
+  return albedo_[below] + (at - double(below)) * (albedo_[below + 1] - albedo_[below]);
+}
+
+Translucency translucency(vec3 colour, vec3 mean_way, const AlbedoTable& table, double eta) {
   Translucency t;
   t.eta = eta;
   t.boundary = boundary_of(diffuse_fresnel(eta));
-  const double inner = boundary_of(diffuse_fresnel(ior));
   constexpr double least_albedo = 1e-6;  // of black matter, which only absorbs
   for (int i = 0; i < 3; ++i) {
-    const double albedo = std::max(least_albedo, reduced_albedo(colour[i], inner));
+    const double albedo = std::max(least_albedo, table(colour[i]));
     t.scattering[i] = 1.0 / mean_way[i];
     t.extinction[i] = t.scattering[i] / albedo;
     const double absorption = t.extinction[i] - t.scattering[i];

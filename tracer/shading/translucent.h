@@ -2,9 +2,26 @@
 // Levoy, Hanrahan: "A Practical Model for Subsurface Light Transport", 2001).
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "base/vec.h"
 
 namespace durer::tracer {
+
+/// The share of light that single events of scattering keep, such that matter reflects a colour.
+class AlbedoTable {
+ public:
+  /// `ior`: of the matter.
+  explicit AlbedoTable(double ior);
+  /// `colour`: 0…1, or what is nearest.
+  [[nodiscard]] double operator()(double colour) const;
+
+ private:
+  // For hundredths of the colour, as the oracle has it, and straight between them.
+  static constexpr std::size_t steps = 100;
+  std::array<double, steps + 1> albedo_;
+};
 
 /// How matter scatters and absorbs light, by component. Per mm.
 struct Translucency {
@@ -16,8 +33,8 @@ struct Translucency {
 };
 
 /// `colour`: what the surface reflects of light that falls in, 0…1. `mean_way`: in mm, positive.
-/// `ior`: of the matter.
-[[nodiscard]] Translucency translucency(vec3 colour, vec3 mean_way, double ior, double eta);
+[[nodiscard]] Translucency translucency(vec3 colour, vec3 mean_way, const AlbedoTable& albedo,
+                                        double eta);
 
 /// Light that comes out `distance` mm from where a narrow beam of it went in; per mm² of surface. Without
 /// the transmission of the surface at both places.
@@ -28,8 +45,5 @@ struct Translucency {
 
 /// Share of light of all directions that is reflected back inside at a surface.
 [[nodiscard]] double diffuse_fresnel(double eta);
-
-/// The share of light that single events of scattering keep, such that matter reflects `colour`.
-[[nodiscard]] double reduced_albedo(double colour, double boundary);
 
 }  // namespace durer::tracer

@@ -4,16 +4,11 @@
 #include <memory>
 
 #include "tracer/film/threads.h"
+#include "tracer/random.h"
 #include "tracer/transport/photon_tracer.h"
 
 namespace durer::tracer {
 namespace {
-
-std::uint32_t mixed(std::uint32_t h) {
-  h = (h ^ (h >> 16)) * 0x7FEB352DU;
-  h = (h ^ (h >> 15)) * 0x846CA68BU;
-  return h ^ (h >> 16);
-}
 
 // A part of one ring: the work of one thread for a moment.
 struct Share {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <map>
 #include <numbers>
 
 #include "tracer/random.h"
@@ -14,22 +16,39 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-double radical_inverse(std::uint32_t i, std::uint32_t base) {
-  double value = 0;
-  double digit = 1.0 / base;
-  for (; i > 0; i /= base, digit /= base) value += digit * (i % base);
-  return value;
-}
-
-// Point i of the Halton sequence, on the unit sphere.
-dvec3 direction(std::uint32_t i) {
-  const double x = 2 * radical_inverse(i, 2) - 1;
-  const double phi = 2 * pi * radical_inverse(i, 3);
+// A turn at random: where all places would err alike, the eye would see it.
+glm::dmat3 random_turn(std::uint32_t& random) {
+  const double x = 2 * next_random(random) - 1;
+  const double phi = 2 * pi * next_random(random);
   const double r = std::sqrt(std::max(0.0, 1 - x * x));
-  return {x, r * std::cos(phi), r * std::sin(phi)};
+  const dvec3 a(x, r * std::cos(phi), r * std::sin(phi));
+  const dvec3 b = glm::normalize(glm::cross(a, std::abs(x) < 0.6 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
+  return {a, b, glm::cross(a, b)};
 }
 
 }  // namespace
+
+// Points of the Halton sequence.
+std::vector<dvec3> SubsurfaceProgram::sphere_directions(int count) {
+  std::vector<dvec3> all;
+  for (std::uint32_t i = 1; i <= static_cast<std::uint32_t>(count); ++i) {
+    const double x = 2 * radical_inverse(i, 2) - 1;
+    const double phi = 2 * pi * radical_inverse(i, 3);
+    const double r = std::sqrt(std::max(0.0, 1 - x * x));
+    all.push_back({x, r * std::cos(phi), r * std::sin(phi)});
+  }
+  return all;
+}
+
+void SubsurfaceProgram::add_interiors(std::span<const Interior> interiors) {
+  std::map<double, std::uint32_t> known;  // by ior
+  for (const Interior& interior : interiors) {
+    const auto next = static_cast<std::uint32_t>(tables.size());
+    const auto [at, is_new] = known.try_emplace(interior.ior, next);
+    if (is_new) tables.emplace_back(interior.ior);
+    table_of.push_back(at->second);
+  }
+}
 
 // A place where light is asked to come from, below or at the surface of one body.
 struct Tracer::Body {
@@ -46,7 +65,7 @@ struct Tracer::Body {
 
 // True if light goes below this layer.
 bool Tracer::is_translucent(const View& view, const Finish& finish) const {
-  if (!scene_->scene->settings.subsurface || !quality_.subsurface) return false;
+  if (!scene_->subsurface) return false;
   if (view.gathering && !(scene_->radiosity && scene_->radiosity->settings.subsurface)) {
     return false;
   }
@@ -57,19 +76,18 @@ bool Tracer::is_translucent(const View& view, const Finish& finish) const {
 vec3 Tracer::subsurface(const View& view, const Path& path, const LayerPoint& layer) {
   constexpr int most_levels = 2;  // light from below that is seen in light from below
   if (scratch_->below >= most_levels) return vec3(0.0F);
-  const scene::Settings& settings = scene_->scene->settings;
-  const double eta = fresnel_index(scene_->interiors, view.interior, path.inside);
-  const double ior = scene_->interiors[view.interior].ior;
+  const SubsurfaceProgram& program = *scene_->subsurface;
   const bool nested = scratch_->below > 0;
-  const scene::Subsurface& s = *settings.subsurface;
-  const Body body{view,
-                  path,
-                  translucency(layer.pigment * layer.finish->diffuse, layer.finish->translucency,
-                               ior, eta),
-                  settings.mm_per_unit,
-                  nested ? 1 : s.samples,
-                  nested ? 1 : s.single_samples,
-                  s.radiosity};
+  const Body body{
+      view,
+      path,
+      translucency(layer.pigment * layer.finish->diffuse, layer.finish->translucency,
+                   program.albedo(view.interior),
+                   fresnel_index(scene_->interiors, view.interior, path.inside)),
+      program.mm_per_unit,
+      nested ? 1 : program.settings.samples,
+      nested ? 1 : program.settings.single_samples,
+      program.settings.radiosity};
   ++scratch_->below;
   const dvec3 light = diffused(body) + scattered_once(body);
   const vec3 seen = vec3(light) + unscattered(body);
@@ -103,6 +121,7 @@ void Tracer::each_lamp(const Body& body, dvec3 p, dvec3 n, Visit visit) {
 // From a place below the one that is seen, rays go out in all directions: where they end, light may
 // have come in that was scattered often.
 dvec3 Tracer::diffused(const Body& body) {
+  const SubsurfaceProgram& program = *scene_->subsurface;
   const View& view = body.view;
   const double way = 1 / (grey(vec3(body.matter.extinction)) * body.mm);
   double depth = way;
@@ -118,12 +137,11 @@ dvec3 Tracer::diffused(const Body& body) {
   }
   const dvec3 base = view.p - depth * view.g;
   const double out = transmittance(body.matter, body.exit_cosine());
-  // Elsewhere in the sequence for every point, or all would err alike.
-  const auto first = static_cast<std::uint32_t>(1 + next_random(scratch_->noise) * (1 << 20));
+  const glm::dmat3 turn = random_turn(scratch_->noise);
   dvec3 sum(0.0);
   int met = 0;
   for (int i = 0; i < body.samples; ++i) {
-    const dvec3 d = direction(first + static_cast<std::uint32_t>(i));
+    const dvec3 d = turn * program.directions[static_cast<std::size_t>(i)];
     ++scratch_->rays;
     if (!scene_->geometry.closest({base, d}, 0, no_hit_depth, RayKind::image, hit,
                                   *scratch_->geometry)) {

@@ -74,7 +74,7 @@ float Tracer::opacity(const Colour& c) const {
 Finish Tracer::without_diffuse(const Finish& finish) const {
   Finish f = finish;
   f.diffuse = f.diffuse_back = 0;
-  if (scene_->scene->settings.subsurface->radiosity) f.indirect = f.indirect_back = 0;
+  if (scene_->subsurface->settings.radiosity) f.indirect = f.indirect_back = 0;
   f.lit = f.highlights;
   return f;
 }
