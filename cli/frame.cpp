@@ -43,7 +43,7 @@ class Render {
       return console_.fail(Code::file_not_written, *unwritable);
     }
     announce();
-    const auto frame = read_frame(settings_, text, task_, console_);
+    auto frame = read_frame(settings_, text, task_, console_);
     constexpr std::size_t large = 1 << 20;  // bytes
     frame->sources.rest(large);
     tracer::CompiledScenePtr compiled;
@@ -63,6 +63,8 @@ class Render {
       events.report(std::move(d));
     }
     console_.print(events);
+    leave_behind(std::move(compiled));
+    leave_behind(std::move(frame));
     return code;
   }
 

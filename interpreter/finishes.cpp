@@ -27,7 +27,7 @@ scene::Finish Interpreter::read_finish(scene::Finish f) {
     if (t.is_punct(';')) continue;
     if (t.kind == Token::Kind::expr) {
       const Value* v = lookup(*t.tree, t.expr, false);
-      const auto* ref = v == nullptr ? nullptr : v->get<Shared<scene::Finish>>();
+      const auto* ref = v == nullptr ? nullptr : v->get<Boxed<scene::Finish>>();
       if (ref == nullptr) bad_setting(t, "finish", opened, settings);
       f = **ref;
       continue;

@@ -119,6 +119,7 @@ struct Fields<Object> {
       field("sturm", &Object::sturm),
       field("importance", &Object::importance),
       field("kept_whole", &Object::kept_whole),
+      field("cutaway_textures", &Object::cutaway_textures),
       field("hollow", &Object::hollow),
       field("uv_mapping", &Object::uv_mapping),
       field("global_lights", &Object::global_lights),

@@ -67,6 +67,7 @@ struct Object {
   bool sturm = false;
   float importance = 0;  // of radiosity, 0…1; 0: not said, that of the object around, or 1
   bool kept_whole = false;  // a union: `split_union off`
+  bool cutaway_textures = false;  // bare surfaces look like what they lie in; children inherit it
   std::optional<bool> hollow;
   /// Textures are looked up at (u, v, 0) and stay where they are when the object is moved.
   bool uv_mapping = false;

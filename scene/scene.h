@@ -78,7 +78,7 @@ struct Scene {
   Chunked<Object> objects;
   std::vector<Root> roots;  // in order of declaration
   std::vector<Light> lights;
-  std::vector<Texture> textures;
+  Chunked<Texture> textures;
   std::vector<Interior> interiors;
   std::vector<Media> atmosphere;  // media that fill the space outside of bodies, and hollow ones
   Camera camera;
@@ -87,7 +87,7 @@ struct Scene {
   std::vector<Fog> fogs;  // in order of declaration
   std::vector<Rainbow> rainbows;
   Settings settings;
-  std::vector<Origin> origins{1};
+  Chunked<Origin, 12> origins{1};
 };
 
 }  // namespace durer::scene

@@ -29,6 +29,7 @@ struct SurfaceProgram {
   bool has_parts = false;   // single parts of the surface have textures of their own:
   std::uint32_t first_part = 0;  // index into CompiledScene::part_textures
   PhotonTraits photons;
+  bool cutaway = false;          // it takes textures of other surfaces (objects §9.5)
 };
 
 /// Stands for what shared contents receive from outside: see Placement::surface.

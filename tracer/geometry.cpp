@@ -13,6 +13,7 @@ namespace {
 std::uint8_t mask_of(RayKind kind) {
   switch (kind) {
     case RayKind::image: return seen_by_image;
+    case RayKind::transmission: return seen_by_transmission;
     case RayKind::reflection: return seen_by_reflection;
     case RayKind::shadow: return casts_shadow;
     case RayKind::gathering: return seen_by_gathering;
@@ -123,6 +124,11 @@ dvec2 Geometry::uv(const Hit& hit) {
 }
 TextureBlend Geometry::part_textures(const Hit& hit) {
   return hit.store->textures(hit.shape, hit.at(hit.depth), hit.part);
+}
+
+TextureBlend Geometry::cutaway_textures(const Hit& hit, bool from_inside) const {
+  const Surface& surface = state_->surfaces[state_->leaves[hit.leaf].surface];
+  return state_->cutaways[surface.cutaway].lenders(hit.p, hit.leaf, from_inside);
 }
 
 bool Geometry::occluded(const Ray& ray, double t_from, double t_to,

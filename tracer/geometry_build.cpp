@@ -38,6 +38,7 @@ Geometry::State::State(Flat flat, Hierarchy hierarchy) {
   for (const FlatGroup& group : flat.groups) add_group(flat, group);
   add_group(flat, flat.world);
   leaves = std::move(flat.leaves);
+  add_cutaways(flat);
   surfaces = std::move(flat.surfaces);
   interiors = std::move(flat.world.interiors);
   lights = std::move(flat.lights);
@@ -97,6 +98,13 @@ void Geometry::State::add_gates(const Flat& flat) {
   }
 }
 
+void Geometry::State::add_cutaways(const Flat& flat) {
+  const auto place_part = [this](const FlatLeaf& part) { return place(operands, part); };
+  for (const std::uint32_t node : flat.cutaways) {
+    cutaways.push_back(make_cutaway(flat, node, leaves, place_part));
+  }
+}
+
 void Geometry::State::add_entry(Group& group, const Flat& flat, const FlatEntry& entry) {
   if (entry.placement != scene::none) {
     group.placements->add(entry.placement, placements[entry.placement].gate != scene::none);
@@ -122,7 +130,7 @@ std::optional<ShapeRef> Geometry::State::place(std::vector<TypeStores>& stores,
                                                const FlatLeaf& part) {
   const std::uint32_t type = part.object->type;
   const auto ref = place_object(*primitive_types()[type], stores[type], *part.object, around,
-                                part.to_world, part.inverted);
+                                part.to_world, part.inverted, part.by_uv);
   if (!ref) return ref;
   Tag& tag = ref->store->tags[ref->shape];
   tag = {part.leaf, part.mask, false};

@@ -31,6 +31,7 @@ class SolidBuilder {
     Bounds3 surface;
     Bounds3 inside;
     bool value = false;
+    std::uint32_t leaf = no_node;  // of a subtree that is one
   };
 
   Extent add(std::uint32_t flat_node, std::uint32_t parent) {
@@ -40,9 +41,11 @@ class SolidBuilder {
         add_node(node.op, parent, static_cast<std::uint32_t>(node.children.size()));
     Extent extent;
     if (node.op == Op::all) extent.inside = Bounds3::everything();
+    std::vector<std::uint32_t> leaves;  // among the children
     for (const std::uint32_t child : node.children) {
       const Extent e = add(child, index);
       if (e.value) ++solid_.counts[index];
+      if (e.leaf != no_node) leaves.push_back(e.leaf);
       extent.surface.add(e.surface);
       if (node.op == Op::all) {
         extent.inside = extent.inside.intersection(e.inside);
@@ -50,18 +53,31 @@ class SolidBuilder {
         extent.inside.add(e.inside);
       }
     }
+    if (node.op == Op::all) tighten(leaves, extent.inside);
     // A surface counts inside the others and lies on the border of its own inside.
     if (node.op == Op::all) extent.surface = extent.surface.intersection(extent.inside);
     extent.value = solid_.nodes[index].value(solid_.counts[index]);
     return extent;
   }
 
+  // What is endless by itself (a hyperboloid) may be bounded by what the others leave of it.
+  void tighten(const std::vector<std::uint32_t>& leaves, Bounds3& inside) const {
+    constexpr int rounds = 2;  // they may bound each other
+    for (int i = 0; i < rounds; ++i) {
+      for (const std::uint32_t leaf : leaves) {
+        const SolidLeaf& l = solid_.leaves[leaf];
+        if (inside.empty()) return;
+        if (!l.inverted) inside = inside.intersection(l.store->inside_within(l.shape, inside));
+      }
+    }
+  }
+
   Extent add_leaf(const FlatLeaf& part, std::uint32_t parent) {
     const auto ref = place_(part);
     if (!ref) return add_nothing(part.inverted, parent);
     const auto index = static_cast<std::uint32_t>(solid_.leaves.size());
-    solid_.leaves.push_back(
-        {ref->store, ref->shape, parent, slot_of(ref->store), ref->inverted, part.muted});
+    solid_.leaves.push_back({ref->store, ref->shape, parent, slot_of(ref->store), ref->inverted,
+                             part.muted, absent_for(part, parent)});
     const Bounds3 inside = ref->store->inside_bounds(ref->shape);
     if (inside.infinite()) {
       solid_.endless.push_back(index);
@@ -70,13 +86,24 @@ class SolidBuilder {
       boxes_.push_back(inside);
     }
     return {ref->store->surface_bounds(ref->shape), ref->inverted ? Bounds3::everything() : inside,
-            ref->inverted};
+            ref->inverted, index};
+  }
+
+  /// What some rays do not see of a merge does not hide its other parts from them (objects §9.2).
+  [[nodiscard]] std::uint8_t absent_for(const FlatLeaf& part, std::uint32_t parent) const {
+    constexpr int seen =
+        seen_by_image | seen_by_transmission | seen_by_reflection | seen_by_gathering;
+    if (part.leaf == scene::none || part.inverted) return 0;
+    for (std::uint32_t n = parent; n != no_node; n = solid_.nodes[n].parent) {
+      if (solid_.nodes[n].op == Op::merge) return static_cast<std::uint8_t>(seen & ~part.mask);
+    }
+    return 0;
   }
 
   // A primitive without surface and inside is a union of nothing; its inverse fills space.
   Extent add_nothing(bool inverted, std::uint32_t parent) {
     add_node(inverted ? Op::all : Op::any, parent, 0);
-    return {{}, inverted ? Bounds3::everything() : Bounds3{}, inverted};
+    return {{}, inverted ? Bounds3::everything() : Bounds3{}, inverted, no_node};
   }
 
   std::uint32_t add_node(Op op, std::uint32_t parent, std::uint32_t children) {

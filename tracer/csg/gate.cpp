@@ -11,7 +11,7 @@ bool meets(const Solid& solid, const RayQuery& query) {
   SweepState& state = *query.sweep;
   if (solid_contains(solid, query.ray.o, state)) return true;
   Sweep sweep(solid, state, state.gates);
-  if (!sweep.begin(query.ray, t_min, no_hit_depth)) return false;
+  if (!sweep.begin(query.ray, t_min, no_hit_depth, 0)) return false;
   return sweep.walk(t_min, no_hit_depth,
                     [](const SolidLeaf& /*leaf*/, const Crossing& /*crossing*/) { return true; });
 }

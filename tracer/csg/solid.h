@@ -38,6 +38,7 @@ struct SolidLeaf {
   std::uint32_t slot = 0;  // index of `store` among the solid's stores
   bool inverted = false;
   bool muted = false;  // a clip: cuts, but its own surface is never seen
+  std::uint8_t absent_for = 0;  // in a merge: for these rays (Visibility) it is not there at all
 };
 
 struct Solid {

@@ -30,7 +30,7 @@ void SolidTargets::nearest_of(const Targets& targets, std::uint32_t index, RayQu
   if ((self.tags[index].mask & query.mask) == 0) return;
   const Solid& solid = self.parts_->solids[self.solids_[index]];
   Sweep sweep(solid, *query.sweep, query.sweep->solids);
-  if (!sweep.begin(query.ray, query.t_from, query.t_to)) return;
+  if (!sweep.begin(query.ray, query.t_from, query.t_to, query.mask)) return;
   sweep.walk(query.t_from, query.t_to, [&](const SolidLeaf& leaf, const Crossing& crossing) {
     const Tag& tag = leaf.store->tags[leaf.shape];
     if ((tag.mask & query.mask) == 0) return false;

@@ -49,7 +49,7 @@ class Eye {
   [[nodiscard]] bool camera_ray(double x, double y, int turn, CameraRay& out);
   Pixel plain(double x, double y, std::uint32_t index);
   [[nodiscard]] Pixel through_lens(double x, double y, std::uint32_t index, int sample);
-  [[nodiscard]] Pixel look_along(CameraRay ray, double x, double y, std::uint32_t index);
+  [[nodiscard]] Pixel look_along(const CameraRay& ray, double x, double y, std::uint32_t index);
   [[nodiscard]] Containment around(dvec3 p);
 
   const Viewpoint* view_;

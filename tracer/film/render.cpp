@@ -188,7 +188,7 @@ RenderResult render(const CompiledScene& scene, const RenderOptions& options,
 }
 
 void report_events(const CompiledScene& scene, Diagnostics& diagnostics) {
-  const std::vector<scene::Origin>& origins = scene.scene->origins;
+  const auto& origins = scene.scene->origins;
   for (Geometry::Doubt& doubt : scene.geometry.doubts()) {
     Diagnostic d;
     d.severity = Severity::warning;

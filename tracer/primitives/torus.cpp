@@ -1,4 +1,5 @@
 #include <cmath>
+#include <numbers>
 
 #include "base/roots/polynomial.h"
 #include "tracer/primitives/describe.h"
@@ -12,7 +13,6 @@ struct Torus {
   double major = 1;
   double minor = 0.25;
 
-  static constexpr bool lacks_uv = true;
   static constexpr std::array params{
       positional<&Torus::major>("major", "radius of the ring"),
       positional<&Torus::minor>("minor", "radius of the tube; negative is invisible"),
@@ -46,6 +46,13 @@ struct Torus::Ring {
     const double rho = std::hypot(p.x, p.z);
     if (rho <= epsilon) return p;
     return p - major / rho * dvec3(p.x, 0, p.z);
+  }
+
+  [[nodiscard]] dvec2 uv(dvec3 p, std::uint32_t /*part*/) const {
+    constexpr double turn = 2 * std::numbers::pi;
+    const double around = std::atan2(p.z, p.x) / turn;
+    const double across = std::atan2(p.y, std::hypot(p.x, p.z) - major) / turn;
+    return {0.5 - around, 0.5 + across};
   }
 
   // The quartic is the product of both excesses; its root belongs to the one that vanishes.

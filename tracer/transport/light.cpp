@@ -1,6 +1,7 @@
 // Light that lamps throw onto a layer (shading §4.4-4.7).
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <new>
 
 #include "tracer/random.h"
 #include "tracer/transport/trace.h"
@@ -40,10 +41,10 @@ void Tracer::find_lamps(const View& view) {
   for (const std::uint32_t i : scene_->geometry.lamp_sets()[view.lamps]) {
     if (!scene_->reaches[i].contains(view.p)) continue;
     const Light& light = scene_->lights[i];
-    Incidence in = incidence(light, view.p);
-    if (spreads(light, view)) in.colour = light.colour;  // its samples are weakened one by one
-    if (dark(in.colour)) continue;
-    scratch_->lamps[i] = {in, vec3(0.0F), false};
+    // Made in place: copying what was written just now in smaller pieces keeps a processor waiting.
+    LampAtPoint& lamp = *::new (&scratch_->lamps[i]) LampAtPoint{incidence(light, view.p)};
+    if (spreads(light, view)) lamp.in.colour = light.colour;  // its samples are weakened one by one
+    if (dark(lamp.in.colour)) continue;
     scratch_->lit.push_back(i);
   }
 }

@@ -202,6 +202,7 @@ Tracer::Crossing Tracer::cross(const View& view, const LayerSum& layers, const P
   c.next.reflected = path.reflected;
   c.next.wavelength = path.wavelength;
   c.next.bounce = path.bounce;
+  c.next.transmitted = true;
   c.disperses = !is_one(c.ratio.dispersion);
   c.straight = is_one(c.ratio.ior) && !c.disperses;
   return c;

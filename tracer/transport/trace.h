@@ -33,6 +33,7 @@ struct Path {
   Containment inside;     // bodies that the ray is inside of
   std::uint32_t bounce = 0;   // of indirect light; above 0: the ray gathers some
   FirstHit* first = nullptr;  // who wants to know of the next surface, if somebody does
+  bool transmitted = false;  // it came through a surface
 };
 
 /// Premultiplied colour, and the share of what lies behind that shines through.
@@ -112,7 +113,7 @@ class Tracer {
   /// `alpha`: see RenderOptions.
   Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha);
 
-  [[nodiscard]] Radiance trace(Path path) { return follow(path, false); }
+  [[nodiscard]] Radiance trace(const Path& path) { return follow(path, false); }
 
  private:
   friend class MediaIntegrator;
