@@ -54,7 +54,9 @@ void PhotonTracer::follow(Flight flight, Journey& journey) {
   if (path.level >= max_level_ || path.weight < adc_) return;
   Hit hit;
   ++scratch_.rays;
-  const RayKind kind = path.reflected ? RayKind::reflection : RayKind::image;
+  const RayKind kind = path.reflected     ? RayKind::reflection
+                       : path.transmitted ? RayKind::transmission
+                                          : RayKind::image;
   if (!scene_.geometry.closest(path.ray, t_min, no_hit_depth, kind, hit, *scratch_.geometry)) {
     return;
   }
