@@ -86,6 +86,7 @@ std::span<const std::vector<std::uint32_t>> Geometry::lamp_sets() const {
   return state_->lamp_sets;
 }
 std::span<const Projection> Geometry::projections() const { return state_->projections; }
+std::span<const PhotonTarget> Geometry::photon_targets() const { return state_->photon_targets; }
 
 void Geometry::set_opaque(std::vector<bool> by_surface) { state_->set_opaque(by_surface); }
 bool Geometry::has_translucent_shadows() const { return state_->translucent_shadows; }

@@ -44,6 +44,7 @@ Geometry::State::State(Flat flat, Hierarchy hierarchy) {
   lights = std::move(flat.lights);
   lamp_sets = std::move(flat.lamp_sets);
   projections = std::move(flat.projections);
+  photon_targets = std::move(flat.photon_targets);
   flat = {};  // makes room for the hierarchies
   for (std::size_t i = 0; i < groups.size(); ++i) finish_group(*groups[i], contents[i], hierarchy);
   update_masks();
