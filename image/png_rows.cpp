@@ -18,7 +18,7 @@ unsigned char paeth(int left, int above, int corner) {
   const int to_corner = std::abs(left + above - 2 * corner);
   // Selections rather than returns: these the compiler can do for many bytes at once.
   const int upper = to_above <= to_corner ? above : corner;
-  return static_cast<unsigned char>((to_left <= to_above) & (to_left <= to_corner) ? left : upper);
+  return static_cast<unsigned char>(((to_left <= to_above) & (to_left <= to_corner)) ? left : upper);
 }
 
 /// One filter over a row; the sum of the differences' sizes, for the smallest compress best.
