@@ -1,8 +1,9 @@
 // A value of which many copies are alike: they share one until somebody changes his.
 #pragma once
 
-#include <memory>
 #include <utility>
+
+#include "base/shared_count.h"
 
 namespace durer {
 
@@ -13,9 +14,7 @@ class Boxed {
  public:
   Boxed() = default;
   Boxed(T value)  // NOLINT: meant to convert
-      : value_(std::make_shared<T>(std::move(value))) {}
-  /// Takes part in sharing `value`, which must not be changed by others any more.
-  explicit Boxed(std::shared_ptr<const T> value) : value_(std::move(value)) {}
+      : value_(Counted<T>::make(std::move(value))) {}
 
   [[nodiscard]] const T& get() const {
     static const T plain{};
@@ -25,16 +24,16 @@ class Boxed {
   const T* operator->() const { return &get(); }
 
   T& edit() {
-    if (!value_ || value_.use_count() > 1) value_ = std::make_shared<const T>(get());
-    return const_cast<T&>(*value_);  // ours alone
+    if (!value_.is_single()) value_ = Counted<T>::make(get());
+    return value_.own();
   }
   /// True if both are the same one, and not merely equal.
   [[nodiscard]] bool same(const Boxed& other) const { return value_ == other.value_; }
   [[nodiscard]] const void* identity() const { return value_.get(); }
-  [[nodiscard]] bool is_plain() const { return value_ == nullptr; }
+  [[nodiscard]] bool is_plain() const { return !value_; }
 
  private:
-  std::shared_ptr<const T> value_;
+  Counted<T> value_;
 };
 
 }  // namespace durer

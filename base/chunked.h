@@ -17,6 +17,7 @@ class Chunked {
   static constexpr std::size_t chunk = std::size_t{1} << Bits;
 
   Chunked() = default;
+  explicit Chunked(std::size_t size) { resize(size); }
   Chunked(Chunked&&) noexcept = default;
   Chunked& operator=(Chunked&&) noexcept = default;
   Chunked(const Chunked& other) { append(other); }
@@ -51,6 +52,10 @@ class Chunked {
     if (chunks_.back().empty()) chunks_.pop_back();
   }
   void clear() { chunks_.clear(); }
+  void resize(std::size_t size) {
+    while (this->size() < size) emplace_back();
+    while (this->size() > size) pop_back();
+  }
 
   template <typename List, typename Value>
   class Iterator {

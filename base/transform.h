@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "base/shared_count.h"
 #include "base/vec.h"
 
 namespace durer {
@@ -66,9 +67,9 @@ class SharedTransform {
  public:
   SharedTransform() = default;
   SharedTransform(const Transform& t)  // NOLINT: meant to convert
-      : transform_(t.is_identity() ? nullptr : std::make_shared<const Transform>(t)) {}
+      : transform_(t.is_identity() ? Counted<Transform>() : Counted<Transform>::make(t)) {}
 
-  [[nodiscard]] bool is_identity() const { return transform_ == nullptr; }
+  [[nodiscard]] bool is_identity() const { return !transform_; }
   [[nodiscard]] const Transform& get() const {
     static const Transform identity;
     return transform_ ? *transform_ : identity;
@@ -86,7 +87,7 @@ class SharedTransform {
   }
 
  private:
-  std::shared_ptr<const Transform> transform_;
+  Counted<Transform> transform_;
 };
 
 }  // namespace durer

@@ -25,8 +25,10 @@ constexpr unsigned region_bits = 25;  // a region: 32 MiB, aligned
 constexpr std::size_t region_size = std::size_t{1} << region_bits;
 constexpr std::size_t step = std::size_t{1} << 21U;   // committed at once: a large page
 constexpr std::size_t small_steps = 4;                // before large pages are asked for
-constexpr unsigned page_bits = 18;                    // blocks of one page have one size
+constexpr unsigned page_bits = 16;                    // blocks of one page have one size
 constexpr std::size_t page_size = std::size_t{1} << page_bits;
+constexpr std::size_t small = std::size_t{1} << 12U;  // larger blocks come from several pages
+constexpr std::size_t pages_of_large = 4;
 constexpr unsigned address_bits = 47;
 
 /// The list that blocks of `size` bytes are on; 1 … largest.
@@ -98,30 +100,37 @@ bool open_region() {
   return true;
 }
 
-/// A page for blocks of class `c`; null if the system gives no more.
-char* take_page(std::size_t c) {
+constexpr std::size_t room_for(std::size_t c) {
+  return (size_of_class(c) > small ? pages_of_large : 1) * page_size;
+}
+
+/// Room for blocks of class `c`; null if the system gives no more.
+char* take_pages(std::size_t c) {
   const std::scoped_lock lock(store.mutex);
-  if (store.next == store.end && !open_region()) return nullptr;
-  if (store.next == store.committed) {
+  const std::size_t room = room_for(c);
+  if (static_cast<std::size_t>(store.end - store.next) < room && !open_region()) return nullptr;
+  while (static_cast<std::size_t>(store.committed - store.next) < room) {
     if (::mprotect(store.committed, step, PROT_READ | PROT_WRITE) != 0) return nullptr;
     if (store.steps++ >= small_steps) ::madvise(store.committed, step, MADV_HUGEPAGE);
     store.committed += step;
   }
-  char* const page = store.next;
-  store.next += page_size;
-  class_of_page(page) = static_cast<std::uint8_t>(c);
-  return page;
+  char* const first = store.next;
+  store.next += room;
+  for (char* page = first; page < store.next; page += page_size) {
+    class_of_page(page) = static_cast<std::uint8_t>(c);
+  }
+  return first;
 }
 
-/// The first block of a new page.
+/// The first block of new pages.
 void* refill(std::size_t c) {
-  char* const page = take_page(c);
-  if (page == nullptr) return nullptr;
-  const std::size_t header = address(page) % region_size == 0 ? header_size : 0;
+  char* const pages = take_pages(c);
+  if (pages == nullptr) return nullptr;
+  const std::size_t header = address(pages) % region_size == 0 ? header_size : 0;
   const std::size_t size = size_of_class(c);
-  cache.next[c] = page + header + size;
-  cache.end[c] = page + header + (page_size - header) / size * size;
-  return page + header;
+  cache.next[c] = pages + header + size;
+  cache.end[c] = pages + header + (room_for(c) - header) / size * size;
+  return pages + header;
 }
 
 void* take_large(std::size_t size) {

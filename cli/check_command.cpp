@@ -37,11 +37,12 @@ bool is_good(Settings settings, Console& console) {
   const auto text = read_scene(settings, diagnostics);
   console.print(diagnostics);
   if (!text) return false;
-  const auto frame = read_frame(settings, *text, frame_task(settings, 0), console);
+  auto frame = read_frame(settings, *text, frame_task(settings, 0), console);
   console.print(frame->diagnostics);
   if (!frame->scene) return false;
   if (settings.dump_scene != DumpFormat::none && !dump(*frame, settings)) return false;
   console.print(Stream::statistic, summary(*frame, settings));
+  leave_behind(std::move(frame));
   return true;
 }
 

@@ -55,6 +55,7 @@ std::string kind_of(std::string_view value) {
     if (word == start) return std::string(kind);
   }
   if (word == "array" || word == "seed" || word == "transform") return std::string(word);
+  value = trimmed(value.substr(0, value.find("//")));
   if (value.ends_with('{')) return "object";
   if (value.ends_with(';')) return value.starts_with('<') ? "vector" : "number";
   return "object";

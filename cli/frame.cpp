@@ -43,7 +43,7 @@ class Render {
       return console_.fail(Code::file_not_written, *unwritable);
     }
     announce();
-    const auto frame = read_frame(settings_, text, task_, console_);
+    auto frame = read_frame(settings_, text, task_, console_);
     constexpr std::size_t large = 1 << 20;  // bytes
     frame->sources.rest(large);
     tracer::CompiledScenePtr compiled;
@@ -55,7 +55,16 @@ class Render {
     const int code = trace(*frame->scene, *compiled, *window);
     Diagnostics events(frame->sources);
     tracer::report_events(*compiled, events);
+    if (!warning_.empty()) {
+      Diagnostic d;
+      d.severity = Severity::warning;
+      d.code = Code::file_not_written;
+      d.message = warning_;
+      events.report(std::move(d));
+    }
     console_.print(events);
+    leave_behind(std::move(compiled));
+    leave_behind(std::move(frame));
     return code;
   }
 
@@ -97,6 +106,7 @@ class Render {
       result = tracer::render(compiled, options, on_progress, stop_, &saved.checkpoint());
       line.clear();
     }
+    warning_ = result.warning;
     if (result.cancelled) return stopped(saved, expired, seconds);
     return finish(result, window, encoding_of(settings_, scene.settings), saved);
   }
@@ -151,6 +161,7 @@ class Render {
   const FrameTask& task_;
   Output output_;
   std::atomic<bool>* stop_ = nullptr;
+  std::string warning_;  // of the render
 };
 
 }  // namespace

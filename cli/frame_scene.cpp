@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <utility>
+#include <vector>
 
 #include "cli/convert.h"
 #include "cli/diagnostic_json.h"
@@ -29,11 +31,20 @@ std::string too_slow(const Settings& settings, double seconds) {
   return settings.json ? diagnostic_json(d, none) : render_diagnostic(d, none, colour_wanted());
 }
 
+std::vector<std::shared_ptr<const void>>& left_behind() {
+  static auto& parts = *new std::vector<std::shared_ptr<const void>>;  // never destroyed
+  return parts;
+}
+
 }  // namespace
+
+void leave_behind(std::shared_ptr<const void> part) { left_behind().push_back(std::move(part)); }
 
 std::unique_ptr<FrameScene> read_frame(const Settings& settings, const SceneText& text,
                                        const FrameTask& task, Console& console) {
   using Clock = std::chrono::steady_clock;
+  for (std::shared_ptr<const void>& part : left_behind()) part.reset();
+  left_behind().clear();
   auto frame = std::make_unique<FrameScene>();
   interpreter::Options options = interpreter_options(settings, task);
   frame->queries = tracer::make_object_queries();

@@ -31,6 +31,11 @@ struct FrameScene {
                                                      const SceneText& text, const FrameTask& task,
                                                      Console& console);
 
+/// What a frame was made of and nobody needs any more: destroyed before the next frame is read. That
+/// of the last frame is left to the system, which takes the memory of a million objects back at
+/// once. First what refers to the others.
+void leave_behind(std::shared_ptr<const void> part);
+
 /// Prints the scene as data on standard output; false if that cannot be written.
 [[nodiscard]] bool dump(const FrameScene& frame, const Settings& settings);
 

@@ -29,7 +29,7 @@ std::string count_text(double count) {
 }
 
 std::string time_text(double seconds) {
-  if (seconds < 0.1) return fmt::format("{:.0f} ms", seconds * 1000);
+  if (seconds < 1) return fmt::format("{:.0f} ms", seconds * 1000);
   if (seconds < 10) return fmt::format("{:.1f} s", seconds);
   const long whole = std::lround(seconds);
   if (whole < 3600) return fmt::format("{}:{:02}", whole / 60, whole % 60);

@@ -33,6 +33,7 @@ Value FunctionBuilder::parameter(int index) const {
 }
 
 Value FunctionBuilder::constant(double value) {
+  value += 0.0;  // there is no -0 among constants, as in the oracle
   const auto [place, is_new] = constants_.try_emplace(std::bit_cast<std::uint64_t>(value), next_);
   if (is_new) constant_values_[next_++] = value;
   return {place->second, Value::Form::literal};

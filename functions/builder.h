@@ -135,7 +135,7 @@ class FunctionBuilder {
 
   Function f_;
   Register next_ = 0;                            // first unused register
-  std::map<std::uint64_t, Register> constants_;  // by bits: 0 and -0 differ
+  std::map<std::uint64_t, Register> constants_;  // by bits
   std::map<Register, double> constant_values_;   // the reverse
   std::map<Register, OpenSum> open_sums_;        // sums that may still grow
   std::map<Key, Register> known_;                // equal subexpressions

@@ -2,6 +2,7 @@
 // and macro calls have effects.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -15,6 +16,16 @@ namespace durer::interpreter {
 inline std::int32_t to_int(double v) {
   if (!(v > -2147483649.0 && v < 2147483648.0)) return INT32_MIN;
   return static_cast<std::int32_t>(v);
+}
+
+/// fmod; at once for the whole numbers that programs count with.
+inline double modulo(double a, double b) {
+  if (a >= 1 && a < 2147483648.0 && b >= 1 && b < 2147483648.0) {
+    const auto dividend = static_cast<std::uint32_t>(a);
+    const auto divisor = static_cast<std::uint32_t>(b);
+    if (dividend == a && divisor == b) return dividend % divisor;
+  }
+  return std::fmod(a, b);
 }
 
 inline constexpr double radians_per_degree = 0.0174532925199432957692;

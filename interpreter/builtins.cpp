@@ -1,6 +1,7 @@
 // The functions of the language (language §3). Arguments are read one by one, in textual order,
 // because `rand` and macro calls have effects.
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -14,6 +15,7 @@
 
 #include "functions/noise.h"
 #include "interpreter/arguments.h"
+#include "interpreter/float_functions.h"
 
 namespace durer::interpreter {
 
@@ -34,6 +36,16 @@ dvec3 rotate_about(dvec3 v, dvec3 k, double angle) {
                 k.z * k.z + c * (1 - k.z * k.z));
   return v.x * x + v.y * y + v.z * z + dvec3(0.0);
 }
+/// Where a function of floats has none.
+std::string_view why_without_value(SymbolId function) {
+  switch (function) {
+    case w::ln:
+    case w::log: return "needs an argument above 0";
+    case w::sqrt: return "of a negative number has no value";
+    default: return "of (0, 0) has no value";
+  }
+}
+
 }  // namespace
 
 double Interpreter::days_since_2000() {
@@ -58,65 +70,25 @@ Num Interpreter::call_builtin(const ast::Tree& tree, const ast::Expr& e, SymbolI
   const auto domain = [&](std::string_view what) {
     fail(Code::evaluation, e.span, fmt::format("`{}` {}", name_of(function), what));
   };
+  // What the table has with a fixed number of arguments; the others take more here than there.
+  const FloatFunction* f = float_function(function);
+  if (f != nullptr && f->least == f->most) {
+    std::array<double, 2> x{};
+    if (f->least == 1) {
+      x[0] = args.full();
+    } else {
+      for (double& a : x) a = args.number();
+    }
+    double result = 0;
+    if (f->apply(x.data(), f->least, result)) return number(result);
+    if (function != w::acos && function != w::asin) domain(why_without_value(function));
+    warn(Code::evaluation, e.span,
+         fmt::format("the argument of `{}` is outside -1…1 and is clamped", name_of(function)));
+    x[0] = x[0] < 0 ? -1 : 1;
+    f->apply(x.data(), 1, result);
+    return number(result);
+  }
   switch (function) {
-    case w::abs: return number(std::abs(args.full()));
-    case w::acos:
-    case w::asin: {
-      double x = args.full();
-      if (x < -1 || x > 1) {
-        warn(Code::evaluation, e.span,
-             fmt::format("the argument of `{}` is outside -1…1 and is clamped", name_of(function)));
-        x = x < 0 ? -1 : 1;
-      }
-      return number(function == w::acos ? std::acos(x) : std::asin(x));
-    }
-    case w::acosh: return number(std::acosh(args.full()));
-    case w::asinh: return number(std::asinh(args.full()));
-    case w::atanh: return number(std::atanh(args.full()));
-    case w::cosh: return number(std::cosh(args.full()));
-    case w::sinh: return number(std::sinh(args.full()));
-    case w::tanh: return number(std::tanh(args.full()));
-    case w::atan: return number(std::atan(args.full()));
-    case w::atan2: {
-      const double a = args.number();
-      const double b = args.number();
-      if (!(std::abs(a) > epsilon || std::abs(b) > epsilon)) domain("of (0, 0) has no value");
-      return number(std::atan2(a, b));
-    }
-    case w::ceil: return number(std::ceil(args.full()));
-    case w::floor: return number(std::floor(args.full()));
-    case w::cos: return number(std::cos(args.full()));
-    case w::sin: return number(std::sin(args.full()));
-    case w::tan: return number(std::tan(args.full()));
-    case w::degrees: return number(args.full() / radians_per_degree);
-    case w::radians: return number(args.full() * radians_per_degree);
-    case w::exp: return number(std::exp(args.full()));
-    case w::int_: return number(to_int(args.full()));
-    case w::ln:
-    case w::log: {
-      const double x = args.full();
-      if (x <= 0) domain("needs an argument above 0");
-      return number(function == w::ln ? std::log(x) : std::log10(x));
-    }
-    case w::sqrt: {
-      const double x = args.full();
-      if (x < 0) domain("of a negative number has no value");
-      return number(std::sqrt(x));
-    }
-    case w::div: {
-      const double a = args.number();
-      return number(to_int(a / args.number()));
-    }
-    case w::mod: {
-      const double a = args.number();
-      return number(std::fmod(a, args.number()));
-    }
-    case w::pow: {
-      const double a = args.number();
-      const double b = args.number();
-      if (a == 0 && b == 0) domain("of (0, 0) has no value");
-      return number(std::pow(a, b));
-    }
     case w::max:
     case w::min: {
       double x = args.number();

@@ -23,13 +23,15 @@ const Value* first_defined(const Array& array) {
   return nullptr;
 }
 
+/// Colour variables are 32-bit (language §2).
+void round_colour(Num& n) {
+  for (double& x : n.v) x = static_cast<float>(x);
+}
+
 }  // namespace
 
-/// Assigns; colours lose precision on the way, as colour variables are 32-bit (language §2).
 void Interpreter::store_number(Value& target, Num n) {
-  if (n.length == 5) {
-    for (double& x : n.v) x = static_cast<float>(x);
-  }
+  if (n.length == 5) round_colour(n);
   target.set(n);
 }
 
@@ -93,7 +95,11 @@ bool Interpreter::quick_assign(const ast::Declare& node, Formula& formula) {
   }
   Value& target = *Environment::value_of(slot);
   if (!result->is_text()) {
-    store_number(target, result->number());
+    Num* const old = target.get<Num>();
+    Num& n = old != nullptr ? *old : target.node.emplace<Num>();
+    n.v = result->v;
+    n.length = result->length;
+    if (n.length == 5) round_colour(n);
   } else if (auto* text = target.get<Shared<Text>>(); text != nullptr && text->use_count() == 1) {
     machine_.take_text(const_cast<Text&>(**text));  // nobody else holds it: see text_value
   } else {

@@ -43,7 +43,12 @@ Interpreter::Flow Interpreter::run_directive(const ast::Tree& tree, const ast::D
 /// more than the statement.
 Interpreter::Flow Interpreter::run_statements(const ast::Tree& tree, ast::Range items) {
   for (std::uint32_t i = 0; i < items.count; ++i) {
-    const ast::Directive& d = tree.directives[tree.items[items.first + i].ref];
+    const std::uint32_t pos = items.first + i;
+    if (takes_shortcuts()) {
+      const Statement& s = statement_at(tree, pos);
+      if (s.kind == Statement::Kind::assign && quick_assign(*s.declare, *s.formula)) continue;
+    }
+    const ast::Directive& d = tree.directives[tree.items[pos].ref];
     if (run_directive(tree, d) == Flow::broken) return Flow::broken;
   }
   return Flow::normal;

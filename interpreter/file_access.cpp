@@ -41,6 +41,11 @@ fs::path folder_of(const SourceMap& sources, FileId file) {
   return fs::path(std::string(sources.path(file))).parent_path();
 }
 
+/// Where the pictures are that stand in for those of POV-Ray's packages.
+fs::path stand_ins(const Options& options) {
+  return fs::path(options.stdlib_path) / "stand-ins";
+}
+
 }  // namespace
 
 /// The folders that are searched, in order, for a name written at `span`.
@@ -53,6 +58,7 @@ std::vector<fs::path> Interpreter::search_folders(Span span) const {
   if (!options_.stdlib_path.empty()) folders.emplace_back(options_.stdlib_path);
   for (const std::string& p : options_.fallback_paths) folders.emplace_back(p);
   if (span.begin != 0) folders.push_back(folder_of(sources_, sources_.file_of(span.begin)));
+  if (!options_.stdlib_path.empty()) folders.push_back(stand_ins(options_));
   return folders;
 }
 
@@ -87,6 +93,12 @@ std::optional<std::string> Interpreter::find_file(const std::string& name, Span 
          fmt::format("there is no `{}`; `{}` is taken instead", name, found->path.string()),
          fmt::format("write `\"{}\"`", found->path.filename().string()));
   }
+  if (!options_.stdlib_path.empty() && found->path.parent_path() == stand_ins(options_)) {
+    warn(Code::file_found_elsewhere, span,
+         fmt::format("there is no `{}`; one that stands in for POV-Ray's is taken", name),
+         "its size and kind are the same, what it shows is not; add the folder of the other with "
+         "`+L<folder>`");
+  }
   return found->path.string();
 }
 
@@ -114,6 +126,9 @@ void Interpreter::missing_file(const std::string& name, Span span,
     d.help.push_back(
         "add its folder with `+L<folder>`; the scene's own folder and the current one are searched "
         "too");
+    if (std::ranges::find(suffixes, ".ttf") != suffixes.end()) {
+      d.help.push_back("or install fonts that can stand in: Debian's package fonts-liberation2");
+    }
   }
   fail(std::move(d));
 }

@@ -37,12 +37,15 @@ constexpr std::array functions{
                     out = std::acos(a[0]);
                     return !(a[0] < -1 || a[0] > 1);
                   }},
+    FloatFunction{w::acosh, 1, 1, plain<std::acosh>},
     FloatFunction{w::asin, 1, 1,
                   [](Args a, std::size_t, double& out) {
                     out = std::asin(a[0]);
                     return !(a[0] < -1 || a[0] > 1);
                   }},
+    FloatFunction{w::asinh, 1, 1, plain<std::asinh>},
     FloatFunction{w::atan, 1, 1, plain<std::atan>},
+    FloatFunction{w::atanh, 1, 1, plain<std::atanh>},
     FloatFunction{w::ceil, 1, 1, plain<std::ceil>},
     FloatFunction{w::cos, 1, 1, plain<std::cos>},
     FloatFunction{w::cosh, 1, 1, plain<std::cosh>},
@@ -82,7 +85,7 @@ constexpr std::array functions{
                   }},
     FloatFunction{w::mod, 2, 2,
                   [](Args a, std::size_t, double& out) {
-                    out = std::fmod(a[0], a[1]);
+                    out = modulo(a[0], a[1]);
                     return true;
                   }},
     FloatFunction{w::pow, 2, 2,

@@ -140,13 +140,18 @@ class FormulaMachine {
                  functions::Workspace& workspace)
       : env_(env), streams_(streams), workspace_(workspace) {}
 
-  /// The result, valid until the next run, with nothing behind its length unless it shines through; null, with no effect, if the tree must be walked.
+  /// The result, valid until the next run, with nothing behind its length unless it shines through;
+  /// null, with no effect, if the tree must be walked.
   /// `wanted`: how many components the place wants; 1 also means "any".
   [[nodiscard]] const Operand* run(Formula& formula, int wanted) {
     drawn_ = 0;
     const bool straight = formula.straight != nullptr && formula.straight_wanted == wanted;
-    return straight && run_straight(*formula.straight) ? stack_.data()
-                                                       : run_unsettled(formula, wanted, straight);
+    if (straight && run_straight(*formula.straight)) return stack_.data();
+    if (formula.straight == nullptr && formula.straightened == straightened_enough &&
+        !formula.ops.empty()) {
+      return run_general(formula, wanted);
+    }
+    return run_unsettled(formula, wanted, straight);
   }
   /// Takes the text of the last result, if it was a string.
   void take_text(Text& out);
@@ -157,6 +162,10 @@ class FormulaMachine {
   }
 
  private:
+  /// After so many times no straight code is made any more.
+  static constexpr std::uint8_t straightened_enough = 4;
+
+  const Operand* run_general(const Formula& formula, int wanted);
   const Operand* run_unsettled(Formula& formula, int wanted, bool failed);
   bool run_straight(const StraightCode& code);
   bool run_operations(const StraightCode& code);

@@ -55,8 +55,11 @@ inline bool set_value(Operand& o, const Value* v, int wanted) {
 
 inline bool is_float(const Operand& o) { return o.length == 1; }
 
-bool are_floats(const Operand* first, std::size_t count) {
-  return std::all_of(first, first + count, is_float);
+inline bool are_floats(const Operand* first, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!is_float(first[i])) return false;
+  }
+  return true;
 }
 
 void stretch(Operand& o, int to) {
@@ -84,19 +87,22 @@ bool apply_geometry(SymbolId function, Operand* a, int wanted) {
 /// The general way, and straight code if it is worth while to make some. `failed`: what there was
 /// did not do.
 const Operand* FormulaMachine::run_unsettled(Formula& formula, int wanted, bool failed) {
-  constexpr std::uint8_t enough = 4;
   if (failed) {
     take_draws_back();
     formula.straight = nullptr;  // something is of another kind now
   }
   if (formula.ops.empty()) return nullptr;  // it has given up too often
-  if (formula.straight == nullptr && formula.straightened < enough) {
+  if (formula.straight == nullptr && formula.straightened < straightened_enough) {
     formula.straight = straighten(formula, env_, wanted);
     formula.straight_wanted = wanted;
     formula.straightened = formula.straight == nullptr
-                               ? enough
+                               ? straightened_enough
                                : static_cast<std::uint8_t>(formula.straightened + 1);
   }
+  return run_general(formula, wanted);
+}
+
+const Operand* FormulaMachine::run_general(const Formula& formula, int wanted) {
   if (execute(formula, wanted)) {
     if (!formula.shines_through && !stack_[0].is_text()) clear_beyond_length();
     return stack_.data();
@@ -190,8 +196,22 @@ bool FormulaMachine::execute(const Formula& formula, int given) {
         top->length = op.count;
         break;
       case Kind::add:
-      case Kind::sub:
+        --top;
+        if (is_float(top[0]) && is_float(top[1])) {
+          top[0].v[0] += top[1].v[0];
+        } else if (!apply(op.kind, top[0], top[1], wanted(op))) {
+          return false;
+        }
+        break;
       case Kind::mul:
+        --top;
+        if (is_float(top[0]) && is_float(top[1])) {
+          top[0].v[0] *= top[1].v[0];
+        } else if (!apply(op.kind, top[0], top[1], wanted(op))) {
+          return false;
+        }
+        break;
+      case Kind::sub:
       case Kind::div:
       case Kind::lt:
       case Kind::le:

@@ -151,6 +151,7 @@ bool FormulaMachine::run_operations(const StraightCode& code) {
       case Kind::add_number: top[-1] += op.value; break;
       case Kind::sub_number: top[-1] -= op.value; break;
       case Kind::mul_number: top[-1] *= op.value; break;
+      case Kind::div_number: top[-1] /= op.value; break;
       case Kind::scalar:
         --top;
         if (!apply_floats(op.with, top[-1], top[0], top[-1])) return false;

@@ -26,6 +26,7 @@ struct StraightOp {
     add_number,  // of a float and the value
     sub_number,
     mul_number,
+    div_number,  // not 0
     scalar,      // with: any operator of two floats
     scalar_number,
     lanes,      // with: of a number of n and one of m components; one of them is a float

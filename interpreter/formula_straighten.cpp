@@ -1,4 +1,7 @@
 // From the code of a formula to straight code: the same steps, with the lengths worked out.
+//
+// A float where more components are wanted stays one float as long as it only meets operators, which
+// do the same to all components; constants are worked out now or become part of an operator.
 #include <algorithm>
 
 #include "interpreter/formula_operators.h"
@@ -21,17 +24,48 @@ class Straightener {
     for (const FormulaOp& op : formula.ops) {
       if (!step(op)) return nullptr;
     }
-    code_.length = lengths_.front();
+    fill_out(0);
+    code_.length = parts_.front().length;
     code_.ops.shrink_to_fit();
     return std::make_shared<const StraightCode>(std::move(code_));
   }
 
  private:
+  /// An operand on the stack.
+  struct Part {
+    int length = 1;
+    bool repeated = false;   // its code makes one float, which stands for all components
+    std::size_t begin = 0;   // of its code, which ends where that of the next one begins
+    [[nodiscard]] int made() const { return repeated ? 1 : length; }
+  };
+
   [[nodiscard]] int wanted(const FormulaOp& op) const {
     if (op.want < FormulaOp::given) return op.want;
     return op.want == FormulaOp::given
                ? given_
-               : lengths_[static_cast<std::size_t>(op.want - FormulaOp::as_slot)];
+               : parts_[static_cast<std::size_t>(op.want - FormulaOp::as_slot)].length;
+  }
+
+  [[nodiscard]] std::size_t end_of(std::size_t part) const {
+    return part + 1 < parts_.size() ? parts_[part + 1].begin : code_.ops.size();
+  }
+
+  /// Makes all components of a part that is one float.
+  void fill_out(std::size_t part) {
+    if (!parts_[part].repeated) return;
+    StraightOp op;
+    op.kind = Out::repeat;
+    op.n = static_cast<std::uint8_t>(parts_[part].length);
+    code_.ops.insert(code_.ops.begin() + static_cast<std::ptrdiff_t>(end_of(part)), op);
+    for (std::size_t i = part + 1; i < parts_.size(); ++i) ++parts_[i].begin;
+    parts_[part].repeated = false;
+  }
+
+  /// The number that the part is, if it is a literal.
+  [[nodiscard]] const double* constant(std::size_t part) const {
+    const std::size_t begin = parts_[part].begin;
+    const bool single = end_of(part) == begin + 1 && parts_[part].made() == 1;
+    return single && code_.ops[begin].kind == Out::number ? &code_.ops[begin].value : nullptr;
   }
 
   StraightOp& add(Out kind, int n = 1, int m = 1, SymbolId name = 0) {
@@ -43,33 +77,43 @@ class Straightener {
     return op;
   }
 
-  void drop(std::size_t operands) { lengths_.resize(lengths_.size() - operands); }
-  bool push(int length) {
-    lengths_.push_back(length);
+  /// The operands become one; its code begins where that of the first did, or ends the code if it
+  /// has none.
+  void drop(std::size_t operands) {
+    const std::size_t left = parts_.size() - operands;
+    next_begin_ = operands == 0 ? code_.ops.size() : parts_[left].begin;
+    parts_.resize(left);
+  }
+  bool push(int length, bool repeated = false) {
+    parts_.push_back({length, repeated, next_begin_});
     return true;
   }
   /// A float fills the place that it is for.
-  bool push_float(int want) {
-    if (want > 1) add(Out::repeat, want);
-    return push(std::max(want, 1));
-  }
+  bool push_float(int want) { return push(std::max(want, 1), want > 1); }
   bool push_number(int length, int want) { return length == 1 ? push_float(want) : push(length); }
 
+  [[nodiscard]] Part& last() { return parts_.back(); }
+
   [[nodiscard]] bool are_floats(std::size_t operands) const {
-    return std::all_of(lengths_.end() - static_cast<std::ptrdiff_t>(operands), lengths_.end(),
-                       [](int n) { return n == 1; });
+    return std::all_of(parts_.end() - static_cast<std::ptrdiff_t>(operands), parts_.end(),
+                       [](const Part& p) { return p.length == 1; });
   }
 
   bool step(const FormulaOp& op) {
     switch (op.kind) {
-      case In::number: add(Out::number).value = op.value; return push_float(wanted(op));
+      case In::number:
+        drop(0);
+        add(Out::number).value = op.value;
+        return push_float(wanted(op));
       case In::axis:
+        drop(0);
         for (std::uint8_t i = 0; i < op.count; ++i) add(Out::number).value = i == op.name ? 1 : 0;
         return push(op.count);
       case In::variable: return variable(op);
       case In::component: return component(op);
       case In::local: {
         const int n = locals_[op.count];
+        drop(0);
         add(Out::local, n, op.count);
         return push_number(n, wanted(op));
       }
@@ -91,8 +135,14 @@ class Straightener {
       case In::gt:
       case In::and_:
       case In::or_: return binary(op);
-      case In::neg: add(Out::neg, lengths_.back()); return true;
-      case In::not_: add(Out::not_, lengths_.back()); return true;
+      case In::neg:
+        if (constant(parts_.size() - 1) != nullptr) {
+          code_.ops.back().value = -code_.ops.back().value;
+        } else {
+          add(Out::neg, last().made());
+        }
+        return true;
+      case In::not_: add(Out::not_, last().made()); return true;
       case In::widen: return widen(wanted(op));
       case In::choose: return choose(wanted(op));
       case In::function: {
@@ -115,8 +165,9 @@ class Straightener {
       case In::is_free: add(Out::is_free, 1, 1, op.name); return true;
       case In::exists: add(Out::exists, 1, 1, op.name); return true;
       case In::set_local:
-        locals_[op.count] = lengths_.back();
-        add(Out::set_local, lengths_.back(), op.count);
+        fill_out(parts_.size() - 1);
+        locals_[op.count] = last().length;
+        add(Out::set_local, last().length, op.count);
         drop(1);
         return true;
       case In::text:
@@ -135,6 +186,7 @@ class Straightener {
   bool variable(const FormulaOp& op) {
     const int n = length_of(op.name);
     if (n == 0) return false;
+    drop(0);
     add(n == 1 ? Out::load : Out::load_many, n, 1, op.name);
     return push_number(n, wanted(op));
   }
@@ -142,17 +194,18 @@ class Straightener {
   bool component(const FormulaOp& op) {
     const int n = length_of(op.name);
     if (op.count >= n) return false;
+    drop(0);
     add(Out::component, n, op.count, op.name);
     return n == 1 ? push_float(wanted(op)) : push(1);
   }
 
   bool member(const FormulaOp& op) {
-    const int n = lengths_.back();
-    if (op.count >= n) return false;
+    const Part part = last();
+    if (op.count >= part.length) return false;
     const int want = wanted(op);
     drop(1);
-    if (n == 1) return push_float(want);
-    add(Out::member, n, op.count);
+    if (part.length == 1) return push_float(want);
+    if (!part.repeated) add(Out::member, part.length, op.count);
     return push(1);
   }
 
@@ -173,45 +226,68 @@ class Straightener {
   }
 
   bool binary(const FormulaOp& op) {
-    const int right = lengths_.back();
-    const int left = lengths_[lengths_.size() - 2];
-    if (left == 1 && right == 1) {
+    const Part right = last();
+    const Part left = parts_[parts_.size() - 2];
+    const int length = std::max(left.length, right.length);
+    if (left.length != right.length && left.length != 1 && right.length != 1) return false;
+    const bool floats = left.made() == 1 && right.made() == 1;
+    if (floats) {
       scalar(op.kind);
     } else {
-      if (left != right && left != 1 && right != 1) return false;
-      add(Out::lanes, left, right).with = op.kind;
+      add(Out::lanes, left.made(), right.made()).with = op.kind;
     }
     drop(2);
-    return push(std::max(left, right));
+    return push(length, floats && length > 1);
   }
 
-  /// An operator of two floats. A number on its right side becomes part of it.
+  /// An operator of two floats. A constant becomes part of it.
   void scalar(In with) {
-    StraightOp& last = code_.ops.back();
-    const bool number = last.kind == Out::number;
-    const auto choose = [&](Out of_two, Out of_number) { return number ? of_number : of_two; };
-    const Out kind = with == In::add   ? choose(Out::add, Out::add_number)
-                     : with == In::sub ? choose(Out::sub, Out::sub_number)
-                     : with == In::mul ? choose(Out::mul, Out::mul_number)
-                                       : choose(Out::scalar, Out::scalar_number);
-    StraightOp& op = number ? last : add(kind);
-    op.kind = kind;
-    op.with = with;
+    const std::size_t right = parts_.size() - 1;
+    const double* const a = constant(right - 1);
+    const double* const b = constant(right);
+    if (double result = 0; a != nullptr && b != nullptr && apply_floats(with, *a, *b, result)) {
+      code_.ops.pop_back();
+      code_.ops.back().value = result;
+      return;
+    }
+    if (a != nullptr && b == nullptr && (with == In::add || with == In::mul)) {
+      // The order of the operands does not matter.
+      const auto first = code_.ops.begin() + static_cast<std::ptrdiff_t>(parts_[right - 1].begin);
+      std::rotate(first, first + 1, code_.ops.end());
+    } else if (b == nullptr) {
+      add(with == In::add   ? Out::add
+          : with == In::sub ? Out::sub
+          : with == In::mul ? Out::mul
+                            : Out::scalar)
+          .with = with;
+      return;
+    }
+    StraightOp& number = code_.ops.back();
+    number.kind = with == In::add                          ? Out::add_number
+                  : with == In::sub                        ? Out::sub_number
+                  : with == In::mul                        ? Out::mul_number
+                  : with == In::div && number.value != 0.0 ? Out::div_number
+                                                           : Out::scalar_number;
+    number.with = with;
   }
 
   bool widen(int want) {
-    const int n = lengths_.back();
+    const int n = last().length;
     if (n >= want) return true;
+    if (n > 1) {
+      fill_out(parts_.size() - 1);
+      for (int i = n; i < want; ++i) add(Out::number).value = 0;
+    }
     drop(1);
-    if (n == 1) return push_float(want);
-    for (int i = n; i < want; ++i) add(Out::number).value = 0;
-    return push(want);
+    return n == 1 ? push_float(want) : push(want);
   }
 
   bool choose(int want) {
-    const int no = lengths_.back();
-    const int yes = lengths_[lengths_.size() - 2];
-    if (yes != no || lengths_[lengths_.size() - 3] != 1) return false;
+    const std::size_t top = parts_.size() - 1;
+    const int yes = parts_[top - 1].length;
+    if (yes != parts_[top].length || parts_[top - 2].length != 1) return false;
+    fill_out(top - 1);
+    fill_out(top);
     add(Out::choose, yes);
     drop(3);
     return push_number(yes, want);
@@ -219,10 +295,12 @@ class Straightener {
 
   bool geometry(const FormulaOp& op) {
     const int want = wanted(op);
-    const int n = lengths_[lengths_.size() - op.count];
-    const int m = lengths_.back();
+    const std::size_t first = parts_.size() - op.count;
+    const int n = parts_[first].length;
+    const int m = last().length;
     const bool fits = n >= 2 && n <= 3 && m >= 2 && m <= 3;
     if (!fits) return false;
+    for (std::size_t i = first; i < parts_.size(); ++i) fill_out(i);
     const bool is_vector = op.name == w::vcross;
     add(is_vector ? Out::vcross : op.name == w::vdot ? Out::vdot : Out::vlength, n, m);
     drop(op.count);
@@ -234,15 +312,16 @@ class Straightener {
     const Value* v = value_of(env_, op.name);
     const auto* f = v == nullptr ? nullptr : v->get<Shared<UserFunction>>();
     if (f == nullptr || (*f)->is_vector || !are_floats(op.count)) return false;
-    add(Out::user_function, 1, op.count, op.name);
     drop(op.count);
+    add(Out::user_function, 1, op.count, op.name);
     return push_float(want);
   }
 
   const Environment& env_;
   int given_;
   StraightCode code_;
-  std::vector<int> lengths_;  // of the operands on the stack
+  std::vector<Part> parts_;  // the operands on the stack
+  std::size_t next_begin_ = 0;
   std::array<int, formula_locals> locals_{};
 };
 

@@ -183,7 +183,7 @@ Value Interpreter::read_special_function(Span span) {
 /// A pattern with its modifiers, but without colours: `{ … }`.
 scene::Pigment Interpreter::read_pattern(const Token& word) {
   scene::Pigment p = read_pigment({});
-  if (!p.pattern.exists() && p.unsupported.empty()) {
+  if (!p.pattern->exists() && p.unsupported.empty()) {
     fail(Code::missing_argument, word.span, "expected a pattern, such as `bozo` or `gradient x`");
   }
   return p;

@@ -92,7 +92,6 @@ scene::OriginId Interpreter::call_origin() {
   for (std::size_t i = known; i < frames_.size(); ++i) {
     Frame& f = frames_[i];
     if (!is_call(f)) continue;
-    make_room(scene_.origins);
     scene_.origins.push_back({f.call, parent});
     f.origin = static_cast<scene::OriginId>(scene_.origins.size() - 1);
     f.has_origin = true;
@@ -103,7 +102,6 @@ scene::OriginId Interpreter::call_origin() {
 
 scene::OriginId Interpreter::origin(Span span) {
   const scene::OriginId parent = call_origin();
-  make_room(scene_.origins);
   scene_.origins.push_back({span, parent});
   return static_cast<scene::OriginId>(scene_.origins.size() - 1);
 }

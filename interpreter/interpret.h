@@ -41,8 +41,8 @@ struct AnimationFrame {
 };
 
 struct Options {
-  /// Searched in order for includes: the scene's folder, `include_paths`, the built-in library
-  /// (`stdlib_path`, may be empty), then the folders of an installed POV-Ray (`fallback_paths`).
+  /// Searched in order: the scene's folder, `include_paths`, the library (`stdlib_path`, may be
+  /// empty), an installed POV-Ray's folders (`fallback_paths`), the library's folder `stand-ins`.
   std::vector<std::string> include_paths;
   std::string stdlib_path;
   std::vector<std::string> fallback_paths;

@@ -30,7 +30,7 @@ scene::Media initial_media(int version) {
 }  // namespace
 
 void move_densities(scene::Media& media, const Transform& by) {
-  for (scene::Pigment& d : media.densities) d.pattern.transform = d.pattern.transform.then(by);
+  for (scene::Pigment& d : media.densities) d.pattern.edit().transform = d.pattern->transform.then(by);
 }
 
 scene::Media Interpreter::read_media(Span span) {
@@ -180,7 +180,7 @@ void Interpreter::read_density_body(scene::Pigment& d, Token::Kind last) {
     bad_setting(t, "density", {}, density_settings);
   }
   next();
-  check_pattern(d.pattern, d.entries.empty(), "density_map");
+  check_pattern(*d.pattern, d.entries.empty(), "density_map");
 }
 
 void Interpreter::start_density_pattern(scene::Pigment& d, std::uint32_t index, const Token& word) {
@@ -188,7 +188,7 @@ void Interpreter::start_density_pattern(scene::Pigment& d, std::uint32_t index, 
   if (info.list_size == 0) return start_pigment_pattern(d, index, word);
   d.entries.clear();
   d.children.clear();
-  choose_pattern(d.pattern, index);
+  choose_pattern(d.pattern.edit(), index);
   for (int i = 0; i < info.list_size; ++i) {
     if (!accept(w::density)) {
       fail(Code::missing_argument, word.span,
@@ -199,15 +199,15 @@ void Interpreter::start_density_pattern(scene::Pigment& d, std::uint32_t index, 
     d.children.push_back(read_density());
     optional_comma();
   }
-  read_pattern_operands(d.pattern, word);
+  read_pattern_operands(d.pattern.edit(), word);
 }
 
 bool Interpreter::density_modifier(scene::Pigment& d, const Token& t) {
-  if (pattern_modifier(d.pattern, t)) return true;
+  if (pattern_modifier(d.pattern.edit(), t)) return true;
   if (t.word != w::color_map && t.word != w::colour_map && t.word != w::density_map) return false;
   const bool colours = t.word != w::density_map;
   const scene::PatternInfo* const info =
-      d.pattern.exists() ? registry_.patterns[d.pattern.type] : nullptr;
+      d.pattern->exists() ? registry_.patterns[d.pattern->type] : nullptr;
   if (info == nullptr || info->list_size > 0 || (colours && info->averages)) bad_map(t, info);
   if (colours) {
     ColourMap map = read_colour_map();

@@ -23,7 +23,7 @@ scene::Normal Interpreter::read_normal(scene::Normal start) {
   const Span span = last_span_ = peek().span;
   start.origin = origin(span);
   read_normal_body(start, Token::Kind::close);
-  if (!start.pattern.exists() && start.unsupported.empty() && !reading_default_) {
+  if (!start.pattern->exists() && start.unsupported.empty() && !reading_default_) {
     fail(Code::missing_argument, span, "expected a pattern in `normal`", "write `normal { bumps 0.5 }`");
   }
   if (start.no_bump_scale) keep_bump_scale(start);
@@ -47,9 +47,9 @@ void Interpreter::read_normal_body(scene::Normal& n, Token::Kind last) {
     }
     if (t.kind == Token::Kind::expr && first) {
       const Value* v = lookup(*t.tree, t.expr, false);
-      if (v != nullptr && v->get<Shared<scene::Normal>>() != nullptr) {
+      if (v != nullptr && v->get<Boxed<scene::Normal>>() != nullptr) {
         const scene::OriginId at = n.origin;
-        n = **v->get<Shared<scene::Normal>>();
+        n = **v->get<Boxed<scene::Normal>>();
         if (n.unsupported.empty()) n.origin = at;
         next();
         continue;
@@ -84,7 +84,7 @@ void Interpreter::read_normal_body(scene::Normal& n, Token::Kind last) {
     bad_setting(t, "normal", {}, normal_settings);
   }
   next();
-  check_pattern(n.pattern, n.entries.empty(), "normal_map");
+  check_pattern(*n.pattern, n.entries.empty(), "normal_map");
 }
 
 void Interpreter::start_normal_pattern(scene::Normal& n, std::uint32_t index, const Token& word) {
@@ -92,8 +92,8 @@ void Interpreter::start_normal_pattern(scene::Normal& n, std::uint32_t index, co
   n.unsupported.clear();
   n.entries.clear();
   n.children.clear();
-  choose_pattern(n.pattern, index);
-  open_list(n.pattern, word);
+  choose_pattern(n.pattern.edit(), index);
+  open_list(n.pattern.edit(), word);
   if (info.list_size > 0 && peek().is(w::normal)) {
     for (int i = 0; i < info.list_size; ++i) {
       n.entries.push_back({static_cast<float>(i), static_cast<std::uint32_t>(n.children.size())});
@@ -105,16 +105,16 @@ void Interpreter::start_normal_pattern(scene::Normal& n, std::uint32_t index, co
       optional_comma();
     }
   }
-  close_list(n.pattern, word);
-  read_pattern_operands(n.pattern, word, &n.amount);
+  close_list(n.pattern.edit(), word);
+  read_pattern_operands(n.pattern.edit(), word, &n.amount);
   optional_comma();
   if (starts_number(peek())) n.amount = static_cast<float>(read_scalar("amount"));
 }
 
 bool Interpreter::normal_modifier(scene::Normal& n, const Token& t) {
-  if (pattern_modifier(n.pattern, t)) return true;
+  if (pattern_modifier(n.pattern.edit(), t)) return true;
   const scene::PatternInfo* const info =
-      n.pattern.exists() ? registry_.patterns[n.pattern.type] : nullptr;
+      n.pattern->exists() ? registry_.patterns[n.pattern->type] : nullptr;
   const bool block = info != nullptr && info->list_size > 0;
   switch (t.word) {
     case w::bump_size: n.amount = static_cast<float>(read_float()); return true;

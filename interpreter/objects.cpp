@@ -339,9 +339,6 @@ bool Interpreter::object_modifier(scene::Object& o, const Token& t) {
          fmt::format("`{}` means nothing to this object", name_of(word.word)),
          fmt::format("it belongs to {}", fmt::join(types, ", ")));
   };
-  const auto unsupported = [&](std::string_view what) {
-    if (o.extras->unsupported.empty()) o.extras.edit().unsupported = what;
-  };
   switch (t.word) {
     case w::texture: add_layers(o.texture, read_texture("texture")); return true;
     case w::pigment:
@@ -392,14 +389,9 @@ bool Interpreter::object_modifier(scene::Object& o, const Token& t) {
         fail(Code::unknown_setting, t.span,
              "`cutaway_textures` is for `intersection` and `difference`");
       }
-      unsupported("`cutaway_textures`");
+      o.cutaway_textures = true;
       return true;
-    case w::photons: {
-      // Photons can only be shot once they are switched on in global_settings.
-      expect_open("photons");
-      skip_block();
-      return true;
-    }
+    case w::photons: read_object_photons(o.extras.edit().photons, t); return true;
     case w::radiosity: o.importance = read_importance(t); return true;
     case w::color:
     case w::colour:

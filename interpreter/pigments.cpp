@@ -23,12 +23,12 @@ namespace {
 // The default colours of the Mandelbrot set are not for its relatives of other exponents
 // (textures §11.4).
 void settle_fractal_colours(scene::Pigment& p, const scene::Registry& registry) {
-  if (!p.pattern.exists()) return;
-  const scene::PatternInfo& info = *registry.patterns[p.pattern.type];
+  if (!p.pattern->exists()) return;
+  const scene::PatternInfo& info = *registry.patterns[p.pattern->type];
   const auto same = [](const scene::PigmentEntry& a, const scene::MapEntry& b) {
     return a.key == b.key && a.colour == b.colour && a.pigment == scene::none;
   };
-  if (info.name != "mandel" || p.pattern.args[1] == 2 ||
+  if (info.name != "mandel" || p.pattern->args[1] == 2 ||
       !std::equal(p.entries.begin(), p.entries.end(), info.default_map.begin(),
                   info.default_map.end(), same)) {
     return;
@@ -51,7 +51,7 @@ void Interpreter::read_pigment_body(scene::Pigment& p, Token::Kind last) {
     const Token t = peek();
     if (t.kind == last) {
       next();
-      check_pattern(p.pattern, p.entries.empty(), "pigment_map");
+      check_pattern(*p.pattern, p.entries.empty(), "pigment_map");
       settle_fractal_colours(p, registry_);
       return;
     }
@@ -61,9 +61,9 @@ void Interpreter::read_pigment_body(scene::Pigment& p, Token::Kind last) {
     }
     if (t.kind == Token::Kind::expr && first) {
       const Value* v = lookup(*t.tree, t.expr, false);
-      if (v != nullptr && v->get<Shared<scene::Pigment>>() != nullptr) {
+      if (v != nullptr && v->get<Boxed<scene::Pigment>>() != nullptr) {
         const scene::OriginId at = p.origin;
-        p = **v->get<Shared<scene::Pigment>>();
+        p = **v->get<Boxed<scene::Pigment>>();
         if (p.unsupported.empty()) p.origin = at;
         next();
         continue;
@@ -80,7 +80,7 @@ void Interpreter::read_pigment_body(scene::Pigment& p, Token::Kind last) {
     }
     if (starts_colour(t) || t.kind == Token::Kind::expr || t.is_punct('-')) {
       p.colour = read_colour_num(t.kind != Token::Kind::word).colour();
-      p.pattern.type = scene::none;
+      p.pattern.edit().type = scene::none;
       p.entries.clear();
       p.children.clear();
       p.unsupported.clear();
@@ -119,16 +119,16 @@ void Interpreter::start_pigment_pattern(scene::Pigment& p, std::uint32_t index, 
   p.entries.clear();
   p.children.clear();
   p.colour = {};
-  choose_pattern(p.pattern, index);
+  choose_pattern(p.pattern.edit(), index);
   if (info.list_size > 0) {
-    open_list(p.pattern, word);
+    open_list(p.pattern.edit(), word);
     read_colour_list(p, info);
-    close_list(p.pattern, word);
+    close_list(p.pattern.edit(), word);
   } else {
     for (const scene::MapEntry& e : info.default_map)
       p.entries.push_back({e.key, e.colour, scene::none});
   }
-  read_pattern_operands(p.pattern, word);
+  read_pattern_operands(p.pattern.edit(), word);
 }
 
 /// `checker Red, White` or `checker pigment {…} pigment {…}`: up to `list_size` entries, the rest
@@ -161,7 +161,7 @@ void Interpreter::read_colour_list(scene::Pigment& p, const scene::PatternInfo& 
 }
 
 bool Interpreter::pigment_modifier(scene::Pigment& p, const Token& t) {
-  if (pattern_modifier(p.pattern, t)) return true;
+  if (pattern_modifier(p.pattern.edit(), t)) return true;
   switch (t.word) {
     case w::quick_color:
     case w::quick_colour:
@@ -171,7 +171,7 @@ bool Interpreter::pigment_modifier(scene::Pigment& p, const Token& t) {
     case w::colour_map:
     case w::pigment_map: {
       const scene::PatternInfo* const info =
-          p.pattern.exists() ? registry_.patterns[p.pattern.type] : nullptr;
+          p.pattern->exists() ? registry_.patterns[p.pattern->type] : nullptr;
       const bool colours = t.word != w::pigment_map;
       if ((info == nullptr && p.unsupported.empty()) ||
           (info != nullptr && (info->list_size > 0 || info->only_pigment || (colours && info->averages)))) {

@@ -40,8 +40,10 @@ class KnownLooks {
  public:
   /// The texture that looks so; `none` if none is known.
   [[nodiscard]] scene::TextureId find(const PlainLook& look) const {
-    for (std::size_t i = 0; i < probes && !entries_.empty(); ++i) {
-      const Entry& e = entries_[place(look.hash() + i)];
+    if (entries_.empty()) return scene::none;
+    const std::size_t home = look.hash();
+    for (std::size_t i = 0; i < probes; ++i) {
+      const Entry& e = entries_[place(home + i)];
       if (e.texture != scene::none && e.look == look) return e.texture;
     }
     return scene::none;
@@ -58,7 +60,7 @@ class KnownLooks {
     scene::TextureId texture = scene::none;
   };
   static constexpr std::size_t least = 64;
-  static constexpr std::size_t most = std::size_t{1} << 14U;
+  static constexpr std::size_t most = std::size_t{1} << 12U;  // what fits into a fast cache
   static constexpr std::size_t probes = 4;
 
   [[nodiscard]] std::size_t place(std::size_t hash) const { return hash & (entries_.size() - 1); }

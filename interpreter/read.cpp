@@ -548,15 +548,15 @@ Value Interpreter::read_value() {
       return Value(TextureRef{use.texture});
     }
     case w::pigment:
-      return Value(std::make_shared<const scene::Pigment>(
+      return Value(Boxed<scene::Pigment>(
           read_pigment(*scene_.textures[default_texture_].layers.back().pigment)));
     case w::finish:
-      return Value(std::make_shared<const scene::Finish>(
+      return Value(Boxed<scene::Finish>(
           read_finish(*scene_.textures[default_texture_].layers.back().finish)));
     case w::color_map:
     case w::colour_map: return Value(std::make_shared<const ColourMap>(read_colour_map()));
     case w::pigment_map: return Value(std::make_shared<const ColourMap>(read_pigment_map(true)));
-    case w::normal: return Value(std::make_shared<const scene::Normal>(read_normal(default_normal())));
+    case w::normal: return Value(Boxed<scene::Normal>(read_normal(default_normal())));
     case w::normal_map: return Value(std::make_shared<const NormalMap>(read_normal_map(true)));
     case w::slope_map: return Value(std::make_shared<const SlopeMap>(read_slope_map()));
     case w::texture_map: return Value(std::make_shared<const TextureMap>(read_texture_map(true)));

@@ -3,22 +3,28 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
+#include <type_traits>
 
 namespace durer::interpreter {
 namespace {
 
+/// Flips the case of the letters from `first_letter` on, without a branch, so that it is done many
+/// codes at a time.
 template <typename String>
-void map_ascii(String& s, std::size_t first, char from, char to, int by) {
-  for (std::size_t i = first; i < s.size(); ++i) {
-    if (s[i] >= from && s[i] <= to) {
-      s[i] = static_cast<typename String::value_type>(s[i] + by);
-    }
+void flip_case(String& s, std::size_t first, char first_letter) {
+  using Code = std::make_unsigned_t<typename String::value_type>;
+  constexpr unsigned letters = 26;
+  constexpr unsigned case_bit = 'a' ^ 'A';
+  auto* const codes = s.data();
+  const std::size_t size = s.size();
+  for (std::size_t i = first; i < size; ++i) {
+    const auto code = static_cast<Code>(codes[i]);
+    const auto place = static_cast<Code>(code - static_cast<Code>(first_letter));
+    codes[i] = static_cast<typename String::value_type>(code ^ (place < letters ? case_bit : 0U));
   }
 }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-constexpr int upper_to_lower = 'a' - 'A';
 
 }  // namespace
 
@@ -39,19 +45,7 @@ void Text::append(char16_t code) {
   wide_ += code;
 }
 
-void Text::append(std::string_view codes) {
-  if (wide_.empty()) {
-    narrow_ += codes;
-    return;
-  }
-  for (const char c : codes) wide_ += static_cast<unsigned char>(c);
-}
-
-void Text::append(const Text& other, std::size_t first, std::size_t count) {
-  if (wide_.empty() && other.wide_.empty()) {
-    narrow_.append(other.narrow_, first, count);
-    return;
-  }
+void Text::append_wide(const Text& other, std::size_t first, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) append(other[first + i]);
 }
 
@@ -64,13 +58,13 @@ void Text::erase(std::size_t first, std::size_t end) {
 }
 
 void Text::to_upper(std::size_t first) {
-  map_ascii(narrow_, first, 'a', 'z', -upper_to_lower);
-  map_ascii(wide_, first, 'a', 'z', -upper_to_lower);
+  flip_case(narrow_, first, 'a');
+  flip_case(wide_, first, 'a');
 }
 
 void Text::to_lower(std::size_t first) {
-  map_ascii(narrow_, first, 'A', 'Z', upper_to_lower);
-  map_ascii(wide_, first, 'A', 'Z', upper_to_lower);
+  flip_case(narrow_, first, 'A');
+  flip_case(wide_, first, 'A');
 }
 
 int Text::difference(const Text& other) const {

@@ -24,10 +24,28 @@ class Text {
 
   void append(char16_t code);
   /// One code per byte, 0…255.
-  void append(std::string_view codes);
-  void append(const Text& other) { append(other, 0, other.size()); }
+  void append(std::string_view codes) {
+    if (wide_.empty()) {
+      narrow_.append(codes.data(), codes.size());
+      return;
+    }
+    for (const char c : codes) wide_ += static_cast<unsigned char>(c);
+  }
+  void append(const Text& other) {
+    if (wide_.empty() && other.wide_.empty()) {
+      narrow_.append(other.narrow_.data(), other.narrow_.size());
+      return;
+    }
+    append_wide(other, 0, other.size());
+  }
   /// `count` codes of `other` from `first` on; they must be there. `other` may be this text.
-  void append(const Text& other, std::size_t first, std::size_t count);
+  void append(const Text& other, std::size_t first, std::size_t count) {
+    if (wide_.empty() && other.wide_.empty()) {
+      narrow_.append(other.narrow_.data() + first, count);
+      return;
+    }
+    append_wide(other, first, count);
+  }
   void clear() {
     narrow_.clear();
     if (!wide_.empty()) wide_.clear();
@@ -66,6 +84,7 @@ class Text {
 
  private:
   void widen();
+  void append_wide(const Text& other, std::size_t first, std::size_t count);
   std::string narrow_;
   std::u16string wide_;  // if not empty, everything; then narrow_ is empty
 };

@@ -13,7 +13,6 @@ namespace w = grammar::words;
 // -------------------------------------------------------------------------------------
 
 scene::TextureId Interpreter::add_texture(scene::Texture texture) {
-  make_room(scene_.textures);
   scene_.textures.push_back(std::move(texture));
   return static_cast<scene::TextureId>(scene_.textures.size() - 1);
 }
@@ -28,12 +27,12 @@ void Interpreter::transform_texture(scene::Texture& texture, const Transform& t)
     return;
   }
   for (scene::Layer& layer : texture.layers) {
-    if (layer.normal->pattern.exists() && !layer.normal->uv_mapping) {
-      scene::Pattern& bumps = layer.normal.edit().pattern;
+    if (layer.normal->pattern->exists() && !layer.normal->uv_mapping) {
+      scene::Pattern& bumps = layer.normal.edit().pattern.edit();
       bumps.transform = bumps.transform.then(t);
     }
     if (layer.pigment->uv_mapping) continue;  // it lies on the surface (textures §11.7)
-    scene::Pattern& pattern = layer.pigment.edit().pattern;
+    scene::Pattern& pattern = layer.pigment.edit().pattern.edit();
     pattern.transform = pattern.transform.then(t);
   }
 }
@@ -117,7 +116,7 @@ void Interpreter::keep_bump_scale(scene::Texture& texture) {
     entry.texture = add_texture(std::move(part));
   }
   for (scene::Layer& layer : texture.layers) {
-    if (layer.normal->pattern.exists()) keep_bump_scale(layer.normal.edit());
+    if (layer.normal->pattern->exists()) keep_bump_scale(layer.normal.edit());
   }
 }
 
@@ -199,12 +198,12 @@ void Interpreter::read_texture_items(scene::Texture& t, Span span, Token::Kind l
 void Interpreter::read_texture_part(scene::Texture& t, const Token& token, Span span) {
   const Value* v = lookup(*token.tree, token.expr, false);
   scene::Layer& top = top_layer(t, token.span);
-  if (v != nullptr && v->get<Shared<scene::Pigment>>() != nullptr) {
-    top.pigment = Boxed(*v->get<Shared<scene::Pigment>>());
-  } else if (v != nullptr && v->get<Shared<scene::Normal>>() != nullptr) {
-    top.normal = Boxed(*v->get<Shared<scene::Normal>>());
-  } else if (v != nullptr && v->get<Shared<scene::Finish>>() != nullptr) {
-    top.finish = Boxed(*v->get<Shared<scene::Finish>>());
+  if (v != nullptr && v->get<Boxed<scene::Pigment>>() != nullptr) {
+    top.pigment = *v->get<Boxed<scene::Pigment>>();
+  } else if (v != nullptr && v->get<Boxed<scene::Normal>>() != nullptr) {
+    top.normal = *v->get<Boxed<scene::Normal>>();
+  } else if (v != nullptr && v->get<Boxed<scene::Finish>>() != nullptr) {
+    top.finish = *v->get<Boxed<scene::Finish>>();
   } else if (v != nullptr && v->get<Shared<Unsupported>>() != nullptr) {
     if (top.unsupported.empty()) top.unsupported = (*v->get<Shared<Unsupported>>())->feature;
   } else {

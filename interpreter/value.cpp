@@ -25,9 +25,9 @@ std::string_view kind_name(const Value& value) {
     }
     std::string_view operator()(ObjectRef) const { return "an object"; }
     std::string_view operator()(TextureRef) const { return "a texture"; }
-    std::string_view operator()(const Shared<scene::Pigment>&) const { return "a pigment"; }
-    std::string_view operator()(const Shared<scene::Finish>&) const { return "a finish"; }
-    std::string_view operator()(const Shared<scene::Normal>&) const { return "a normal"; }
+    std::string_view operator()(const Boxed<scene::Pigment>&) const { return "a pigment"; }
+    std::string_view operator()(const Boxed<scene::Finish>&) const { return "a finish"; }
+    std::string_view operator()(const Boxed<scene::Normal>&) const { return "a normal"; }
     std::string_view operator()(const Shared<ColourMap>&) const { return "a colour map"; }
     std::string_view operator()(const Shared<NormalMap>&) const { return "a normal map"; }
     std::string_view operator()(const Shared<SlopeMap>&) const { return "a slope map"; }

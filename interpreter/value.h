@@ -136,8 +136,8 @@ using Shared = std::shared_ptr<const T>;
 
 /// What only blocks make and use; one allocation each.
 using Thing =
-    std::variant<ObjectRef, TextureRef, Shared<scene::Pigment>, Shared<scene::Finish>,
-                 Shared<scene::Normal>, Shared<ColourMap>, Shared<NormalMap>, Shared<SlopeMap>,
+    std::variant<ObjectRef, TextureRef, Boxed<scene::Pigment>, Boxed<scene::Finish>,
+                 Boxed<scene::Normal>, Shared<ColourMap>, Shared<NormalMap>, Shared<SlopeMap>,
                  Shared<TextureMap>, Shared<Density>, Shared<DensityMap>, Shared<scene::Media>,
                  InteriorRef, Shared<Material>, Shared<Transform>,
                  Shared<CameraSpec>, Shared<scene::SkySphere>, Shared<scene::Fog>, Shared<scene::Rainbow>,

@@ -13,6 +13,7 @@
 #include "scene/function_surface.h"
 #include "scene/height_field.h"
 #include "scene/mesh.h"
+#include "scene/photons.h"
 #include "scene/texture.h"
 
 namespace durer::scene {
@@ -47,6 +48,7 @@ struct ObjectExtras {
   SharedTransform clip_transform;
   SharedTransform bound_transform;
   SharedTransform media_transform;  // of the densities inside → surrounding space
+  ObjectPhotons photons;
   std::string unsupported;  // the feature's name, when it cannot be rendered yet
 };
 
@@ -65,6 +67,7 @@ struct Object {
   bool sturm = false;
   float importance = 0;  // of radiosity, 0…1; 0: not said, that of the object around, or 1
   bool kept_whole = false;  // a union: `split_union off`
+  bool cutaway_textures = false;  // bare surfaces look like what they lie in; children inherit it
   std::optional<bool> hollow;
   /// Textures are looked up at (u, v, 0) and stay where they are when the object is moved.
   bool uv_mapping = false;

@@ -29,7 +29,7 @@ struct PigmentEntry {
 
 /// A colour for every point. Without a pattern: the plain `colour` everywhere.
 struct Pigment {
-  Pattern pattern;
+  Boxed<Pattern> pattern;
   Colour colour;
   std::vector<PigmentEntry> entries;  // in written order, never sorted (textures §11.1)
   std::vector<Pigment> children;
@@ -68,6 +68,10 @@ struct Finish {
   float irid = 0;
   float irid_thickness = 0;
   float irid_turbulence = 0;
+  /// Mean way of light below the surface, in mm: then it is not reflected where it falls, but
+  /// comes out around there. 0: at once.
+  vec3 translucency{0.0F};
+  bool subsurface = false;
   /// Legacy values that move into the object's interior (objects §8.6); negative: not written.
   float ior = -1;
   float caustics = -1;
@@ -91,7 +95,7 @@ struct SlopeEntry {
 
 /// Bumps: how a surface bends its normal (textures §13). Without a pattern: not at all.
 struct Normal {
-  Pattern pattern;
+  Boxed<Pattern> pattern;
   float amount = 0.5F;
   float accuracy = 0.02F;  // how far apart the values are taken that tell the slope
   bool no_bump_scale = false;
@@ -107,7 +111,7 @@ struct Normal {
 [[nodiscard]] bool uses_uv(const Pattern& pattern);
 template <typename Look>  // Pigment or Normal
 [[nodiscard]] bool uses_uv(const Look& look) {
-  if (look.uv_mapping || uses_uv(look.pattern)) return true;
+  if (look.uv_mapping || uses_uv(*look.pattern)) return true;
   for (const Look& child : look.children) {
     if (uses_uv(child)) return true;
   }
@@ -150,7 +154,7 @@ struct Texture {
 [[nodiscard]] inline bool has_place(const Texture& texture) {
   if (texture.patterned()) return true;
   for (const Layer& l : texture.layers) {
-    if (l.pigment->pattern.exists() || l.normal->pattern.exists()) return true;
+    if (l.pigment->pattern->exists() || l.normal->pattern->exists()) return true;
   }
   return false;
 }

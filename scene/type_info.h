@@ -54,7 +54,6 @@ struct TypeInfo {
   bool open_ended = false;    // more operands follow those of `params`, as many as these tell
   bool keeps_bounds = false;  // `bounded_by` cuts it; the oracle drops those of other primitives
   bool is_patch = false;      // has no inside (objects §8.3)
-  bool lacks_uv = false;      // has surface coordinates that are not here yet (objects §14)
 
   [[nodiscard]] constexpr std::size_t arg_count() const {
     std::size_t n = 0;

@@ -147,10 +147,27 @@ def _replace(path: Path, data: bytes) -> None:
 
 # ---- verdicts ----------------------------------------------------------------------------------
 
-def judge(name: str, place: Workplace, library: list[str]) -> Row:
-    """Renders one scene with both programs and compares; `library`: options that choose the includes."""
+@dataclass(frozen=True)
+class Library:
+    """Which standard includes durer reads."""
+
+    options: tuple[str, ...] = ()
+    before: tuple[str, ...] = ()  # words before the command
+
+
+def library_of(name: str) -> Library:
+    """`ours`; `oracle`: POV-Ray's, since the folders of +L come first; `alone`: ours, and nothing of POV-Ray's
+    packages can be seen, their fonts and pictures neither."""
+    if name == "oracle":
+        return Library(options=(f"+L{programs.INCLUDES}",))
+    return Library(before=programs.without_oracle()) if name == "alone" else Library()
+
+
+def judge(name: str, place: Workplace, library: Library) -> Row:
+    """Renders one scene with both programs and compares."""
     expected, oracle_error, oracle_time = oracle_picture(name, place)
-    result = programs.render_with_durer(place.scene("durer", name), [*OPTIONS, *library], DURER_LIMIT)
+    result = programs.render_with_durer(place.scene("durer", name), [*OPTIONS, *library.options], DURER_LIMIT,
+                                        library.before)
     made, crashed = result.picture, result.run.code < 0 and not result.run.timed_out
 
     def row(kind: str, note: str = "", decibels: float | None = None) -> Row:
@@ -247,8 +264,8 @@ def options() -> argparse.Namespace:
     parser.add_argument("--html", type=Path, metavar="FOLDER", help="write a page with all pictures there")
     parser.add_argument("--baseline", type=Path, default=BASELINE, metavar="FILE")
     parser.add_argument("--update-baseline", action="store_true", help="take these verdicts as the new baseline")
-    parser.add_argument("--stdlib", choices=["ours", "oracle"], default="ours",
-                        help="whose standard includes durer reads")
+    parser.add_argument("--stdlib", choices=["ours", "oracle", "alone"], default="ours",
+                        help="whose standard includes durer reads; alone: ours, with POV-Ray's packages hidden")
     parser.add_argument("--check", action="store_true", help="interpret only, and tell what refused scenes lack")
     parser.add_argument("--oracle-only", action="store_true", help="only fill the cache of the oracle's pictures")
     return parser.parse_args()
@@ -270,6 +287,9 @@ def main() -> int:
         if not programs.durer_path().exists():
             print(f"conformance: {programs.durer_path()} is not built: `make build`", file=sys.stderr)
             return 2
+        if args.stdlib == "alone" and not programs.without_oracle():
+            print(f"SKIPPED: {programs.CANNOT_HIDE_ORACLE}")
+            return programs.SKIPPED
         return check(scenes, place, args) if args.check else compare(scenes, place, args)
 
 
@@ -284,16 +304,14 @@ def reasons(done: programs.Run) -> list[str]:
     return sorted(set(missing)) if len(missing) == len(found) else [f"{code}: {text}" for code, text in found]
 
 
-def library_options(args: argparse.Namespace) -> list[str]:
-    """The folders of +L come before our own library."""
-    return [f"+L{programs.INCLUDES}"] if args.stdlib == "oracle" else []
-
-
 def check(scenes: list[str], place: Workplace, args: argparse.Namespace) -> int:
     """Interprets the scenes without rendering: what each refused one lacks, and how many lack it."""
+    library = library_of(args.stdlib)
+
     def interpret(name: str) -> programs.Run:
         scene = place.scene("durer", name)
-        return programs.run([str(programs.durer_path()), "check", *library_options(args), scene.name], scene.parent, DURER_LIMIT)
+        command = [*library.before, str(programs.durer_path()), "check", *library.options, scene.name]
+        return programs.run(command, scene.parent, DURER_LIMIT)
 
     known = read_baseline(BASELINE)
     counts: Counter[str] = Counter()
@@ -330,7 +348,7 @@ def compare(scenes: list[str], place: Workplace, args: argparse.Namespace) -> in
     print(f"{'scene':<{width}}  {'class':<16} {'dB':>5}  {'oracle s':>8}  {'durer s':>8}  note")
     rows = []
     with ThreadPoolExecutor(max(1, args.jobs)) as pool:
-        for row in pool.map(lambda name: judge(name, place, library_options(args)), scenes):
+        for row in pool.map(lambda name: judge(name, place, library_of(args.stdlib)), scenes):
             print(line_of(row, width), flush=True)
             rows.append(row)
 

@@ -1,7 +1,10 @@
 """Running the two renderers, durer and the oracle (POV-Ray), as whole processes under a time limit."""
 
+import functools
+import glob
 import os
 import re
+import shlex
 import shutil
 import signal
 import subprocess
@@ -21,6 +24,27 @@ NEEDS = "// needs: "  # a line near the top of a scene of ours: a file from ther
 
 ORACLE_PACKAGES = ("povray", "povray-includes", "povray-examples")
 HOW_TO_INSTALL_ORACLE = f"`make oracle` installs it (Debian packages {', '.join(ORACLE_PACKAGES)})"
+
+
+CANNOT_HIDE_ORACLE = "POV-Ray's packages cannot be hidden, because `unshare --mount` is not permitted here"
+HIDDEN = ("/usr/share/povray*", "/usr/local/share/povray*", "/usr/share/fonts/truetype/povray", "/etc/povray")
+
+
+@functools.cache
+def without_oracle(*others: Path) -> tuple[str, ...]:
+    """Words before a command that run it as if no package of the oracle were installed: its folders, fonts
+    included, are empty for that command, and `others` too, in a mount namespace of its own. Empty if that is
+    not permitted here."""
+    found = [path for pattern in HIDDEN for path in glob.glob(pattern)] + [str(path) for path in others]
+    folders = [path for path in found if os.path.isdir(path)]
+    mounts = "".join(f"mount -t tmpfs -o size=64k none {shlex.quote(path)} && " for path in folders)
+    words = ("unshare", "--mount", *([] if os.geteuid() == 0 else ["--map-root-user"]),
+             "sh", "-c", f'{mounts}exec "$@"', "sh")
+    try:
+        seen = subprocess.run([*words, "find", *(folders or ["/dev/null"]), "-type", "f"], capture_output=True, check=True)
+    except (OSError, subprocess.CalledProcessError):
+        return ()
+    return () if seen.stdout else words
 
 
 def missing_need(scene: Path) -> str:
@@ -105,11 +129,11 @@ def oracle_path() -> str | None:
     return shutil.which(os.environ.get("ORACLE") or "povray")
 
 
-def render_with_durer(scene: Path, options: list[str], limit: float) -> Rendering:
-    """Renders `scene` in its own folder."""
+def render_with_durer(scene: Path, options: list[str], limit: float, before: tuple[str, ...] = ()) -> Rendering:
+    """Renders `scene` in its own folder; `before`: words that precede the command."""
     with tempfile.TemporaryDirectory() as folder:
         output = Path(folder) / "picture.png"
-        done = run([str(durer_path()), f"+I{scene.name}", f"+O{output}", *options], scene.parent, limit)
+        done = run([*before, str(durer_path()), f"+I{scene.name}", f"+O{output}", *options], scene.parent, limit)
         data = output.read_bytes() if output.exists() else b""
     return _rendering(done, data, limit)
 

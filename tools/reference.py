@@ -52,14 +52,11 @@ def joined(lines: list[str]) -> list[str]:
 
 
 def sheet(name: str, sheets: Path) -> list[str]:
-    """A picture of swatches and the table of their names; nothing if there is none."""
-    if not (sheets / f"{name}.png").exists():
+    """A picture of swatches, and their names as text, to be found; nothing if there is none."""
+    if not (sheets / f"{name}.jpg").exists():
         return []
     names = json.loads((sheets / "index.json").read_text("utf-8"))[name]
-    rows = [names[k:k + swatches.COLUMNS] for k in range(0, len(names), swatches.COLUMNS)]
-    return [f"![swatches](swatches/{name}.png)\n",
-            "\n".join(["|" + " |" * swatches.COLUMNS, "|" + "---|" * swatches.COLUMNS,
-                       *("| " + " | ".join(row + [""] * (swatches.COLUMNS - len(row))) + " |" for row in rows)]) + "\n"]
+    return [f"![swatches](swatches/{name}.jpg)\n", " ".join(f"`{one}`" for one in names) + "\n"]
 
 
 def language_page(title: str, entries: list[dict]) -> str:
@@ -73,7 +70,7 @@ def include_page(include: str, entries: list[dict], sheets: Path) -> str:
     macros = [e for e in entries if e["kind"] == "macro"]
     plain = [e for e in entries if e["kind"] not in ("macro", "include")]
     parts += sheet(include, sheets)
-    parts += [f"![{p.stem}](swatches/{p.name})\n" for p in sorted(sheets.glob(f"{include}-*.png"))]
+    parts += [f"![{p.stem}](swatches/{p.name})\n" for p in sorted(sheets.glob(f"{include}-*.jpg"))]
     if macros:
         parts += ["## Macros\n", *map(explained, macros)]
     told = [e for e in plain if e["text"] or e["kind"] not in SHOWN]

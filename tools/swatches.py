@@ -3,81 +3,34 @@
 
     tools/swatches.py compare [INCLUDE...]   durer with our includes and with POV-Ray's: the pictures must be equal
     tools/swatches.py oracle [INCLUDE...]    POV-Ray with its includes beside durer with ours: how alike they are
-    tools/swatches.py draw FOLDER            the sheets of our includes, as PNG, with their names in index.json
+    tools/swatches.py draw FOLDER [INCLUDE...]  the sheets of our includes, as JPEG, with their names in index.json
 
-A sheet has eight swatches in a row, in the order of the include.
+A sheet has eight swatches in a row, in the order of the include; what is drawn has names under them,
+for which a font must be installed, such as Debian's fonts-dejavu-core.
 """
 
 import argparse
 import functools
 import json
+import re
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
 import pictures
-import png
 import programs
 import stdlib
 import stdlib_text as text
+import swatch_scenes as parts
 
 COLUMNS = 8
-PIXELS = 40  # size of a swatch on a drawn sheet
+PIXELS = 64  # size of a swatch on a drawn sheet
 LIMIT = 300.0  # seconds
 BEFORE = {"shapes2.inc": "shapes.inc", "shapesq.inc": "shapes.inc"}  # what POV-Ray's own need and do not include
+LANGUAGE = ("patterns", "objects")  # sheets of what needs no include
 BEFORE |= dict.fromkeys(("skies.inc", "stones1.inc", "stones2.inc", "stoneold.inc", "stars.inc"), "colors.inc")
-WAYS = {  # kind → how a swatch shows it
-    "color": "sphere {{ 0, 1 pigment {{ {} }} }}",
-    "pigment": "sphere {{ 0, 1 pigment {{ {} }} }}",
-    "color_map": "box {{ -1, 1 pigment {{ gradient x color_map {{ {} }} scale 2 translate -x }} }}",
-    "texture": "sphere {{ 0, 1 texture {{ {} }} }}",
-    "finish": "sphere {{ 0, 1 pigment {{ rgb <0.7, 0.5, 0.3> }} finish {{ {} }} }}",
-    "interior": "sphere {{ 0, 1 pigment {{ rgbf 0.9 }} finish {{ specular 0.5 }} interior {{ {} fade_color rgb <0.3, 0.7, 0.5> }} }}",
-    "material": "sphere {{ 0, 1 material {{ {} }} }}",
-    "object": "intersection {{ object {{ {} }} box {{ -1.7, 1.7 }} pigment {{ rgb <0.8, 0.7, 0.5> }} finish {{ specular 0.4 }} rotate <-20, 25, 0> scale 0.42 }}",
-    "letter": "object {{ {} pigment {{ rgb <0.8, 0.7, 0.5> }} translate -2.5 * y scale 0.37 }}",
-}
-WAYS["pattern"] = "box {{ <-1, -1, 0>, <1, 1, 0.1> pigment {{ {} scale 0.5 }} finish {{ ambient 0.9 diffuse 0.1 }} }}"
-WAYS["shape"] = "object {{ {} pigment {{ rgb <0.8, 0.7, 0.5> }} finish {{ specular 0.4 }} rotate <-20, 25, 0> }}"
-PATTERNS = {  # what is written, where the name alone is not enough
-    name: "" for name in (
-        "agate", "boxed", "bozo", "brick", "bumps", "checker", "crackle", "cylindrical", "dents", "granite", "hexagon", "leopard",
-        "marble", "onion", "pavement", "planar", "quilted", "radial", "ripples", "spherical", "spotted", "square", "triangular",
-        "waves", "wood", "wrinkles")}
-PATTERNS |= {"cells": "cells", "gradient": "gradient x", "julia": "julia <0.353, 0.288>, 30", "mandel": "mandel 25",
-             "spiral1": "spiral1 3", "spiral2": "spiral2 3", "tiling": "tiling 5", "magnet": "magnet 1 mandel 25"}
-FLAT = ("agate", "brick", "checker", "granite", "marble", "wood", "hexagon", "square", "triangular")  # have colours of their own
-GREY = " color_map { [0 rgb 0.05] [1 rgb 0.95] }"
-SHAPES = {
-    "bicubic_patch": "bicubic_patch { type 1 u_steps 4 v_steps 4 " + ", ".join(
-        f"<{0.6 * x - 0.9}, {(0.8 if x in (1, 2) and y in (1, 2) else -0.3)}, {0.6 * y - 0.9}>" for y in range(4) for x in range(4)) + " }",
-    "blob": "blob { threshold 0.5 sphere { <-0.4, 0, 0>, 0.9, 1 } sphere { <0.4, 0.2, 0>, 0.8, 1 } }",
-    "box": "box { -0.65, 0.65 }", "cone": "cone { -0.8 * y, 0.8, 0.9 * y, 0.1 }", "cylinder": "cylinder { -0.8 * y, 0.8 * y, 0.6 }",
-    "disc": "disc { 0, y + z, 0.9, 0.3 }",
-    "isosurface": "isosurface { function { x*x + y*y + z*z - 0.7 + 0.2*sin(12*x)*sin(12*y)*sin(12*z) } contained_by { box { -1, 1 } } max_gradient 5 }",
-    "julia_fractal": "julia_fractal { <-0.083, 0, -0.83, -0.025> quaternion sqr max_iteration 8 precision 30 }",
-    "lathe": "lathe { quadratic_spline 6, <0, -0.9>, <0.3, -0.9>, <0.6, -0.4>, <0.2, 0.2>, <0.4, 0.8>, <0.5, 0.9> }",
-    "mesh": "mesh { triangle { <-0.9, -0.6, 0>, <0.9, -0.6, 0>, <0, 0.9, 0> } triangle { <-0.9, -0.6, 0>, <0.9, -0.6, 0>, <0, -0.3, -0.9> } }",
-    "ovus": "ovus { 0.7, 0.35 translate -0.3 * y }",
-    "polygon": "polygon { 6, <-0.8, -0.6>, <0.8, -0.6>, <0.8, 0.6>, <0, 0.1>, <-0.8, 0.6>, <-0.8, -0.6> }",
-    "prism": "prism { -0.4, 0.4, 6, <-0.8, -0.6>, <0.8, -0.6>, <0.8, 0.6>, <0, 0.1>, <-0.8, 0.6>, <-0.8, -0.6> }",
-    "quadric": "intersection { quadric { <1, -0.5, 1>, 0, 0, -0.15 } box { -0.9, 0.9 } }",
-    "sor": "sor { 6, <0.3, -1.1>, <0.5, -0.9>, <0.8, -0.3>, <0.3, 0.4>, <0.5, 0.9>, <0.6, 1.1> }",
-    "sphere": "sphere { 0, 0.9 }",
-    "sphere_sweep": "sphere_sweep { cubic_spline 6, <-1.2, -1, 0>, 0.2, <-0.7, -0.6, 0>, 0.3, <0.5, -0.3, 0.3>, 0.2, <-0.3, 0.4, 0>, 0.25, <0.7, 0.6, 0>, 0.15, <1, 1, 0>, 0.1 }",
-    "superellipsoid": "superellipsoid { <0.3, 0.3> scale 0.8 }", "torus": "torus { 0.65, 0.25 rotate -30 * x }",
-    "triangle": "triangle { <-0.9, -0.7, 0>, <0.9, -0.5, 0>, <0, 0.9, 0> }",
-}
-STAGE = """#version 3.7;
-global_settings {{ assumed_gamma 1 max_trace_level 6 }}
-#include "{include}"
-camera {{ orthographic location -20 * z direction z right {columns} * x up {rows} * y }}
-light_source {{ <-60, 80, -100> rgb 1 }}
-light_source {{ <80, -10, -60> rgb 0.3 shadowless }}
-sky_sphere {{ pigment {{ gradient y color_map {{ [0 rgb <0.25, 0.22, 0.2>] [0.5 rgb <0.75, 0.8, 0.85>] [1 rgb <0.4, 0.55, 0.8>] }} scale 2 translate -y }} }}
-plane {{ -z, -2 hollow pigment {{ checker rgb 0.85, rgb 0.65 scale 0.25 }} finish {{ ambient 0.6 diffuse 0.4 }} }}
-"""
+HEIGHT = 1.375  # of a drawn swatch with its name, in widths
 
 
 def listed() -> dict[str, list[tuple[str, str]]]:
@@ -89,20 +42,21 @@ def listed() -> dict[str, list[tuple[str, str]]]:
             found |= {file: [(entry["name"], "color_map")] for file, entry in table.items()}
             continue
         names = {d["name"]: _kind(path.stem, d) for d in table["declarations"]}
-        found[table["include"]] = [(name, kind) for name, kind in names.items() if kind in WAYS or kind == "sky_sphere"]
+        found[table["include"]] = [(name, kind) for name, kind in names.items() if kind in parts.WAYS or kind in ("object", "surface") or kind == "sky_sphere"]
     return {include: names for include, names in found.items() if names}
 
 
 def new_ones() -> dict[str, list[tuple[str, str]]]:
-    """What POV-Ray's includes and ours do not have in common: modules of our own, and the language itself."""
+    """What POV-Ray's includes and ours do not have in common: modules of our own, and the language itself;
+    and what macros make."""
     rows = text.rows
     return {
         "color_scales.inc": [(f"Scale_{row['name']}", "color_map") for row in rows(stdlib.DATA / "scales.tsv")],
         "metals_measured.inc": [(f"TM_{row['name']}", "texture") for row in rows(stdlib.DATA / "reflectances.tsv")],
         "optics.inc": [(f"IM_{row['name']}", "interior") for row in rows(stdlib.DATA / "sellmeier.tsv")],
-        "patterns": [(name, "pattern") for name in sorted(PATTERNS) if name in registered("pattern")],
-        "objects": [(name, "shape") for name in sorted(SHAPES) if name in registered("object")],
-    }
+        "patterns": [(name, kind) for name, (_, kind) in sorted(parts.PATTERNS.items()) if name in registered("pattern")],
+        "objects": [(name, "shape") for name in sorted(parts.SHAPES) if name in registered("object")],
+    } | {include: [(call, "made") for call in calls] for include, calls in parts.CALLS.items()}
 
 
 @functools.cache
@@ -113,43 +67,69 @@ def registered(kind: str) -> set[str]:
 
 
 def written(name: str, kind: str) -> str:
-    """What stands in a swatch's scene for a name."""
+    """The object of a swatch's scene that shows what has this name."""
+    if kind in ("object", "surface"):
+        size = parts.WINDOWS.get(name, 1.7)
+        return (parts.OBJECT if kind == "object" else parts.SURFACE).format(size, 0.42 * 1.7 / size).format(name)
+    what = name
     if kind == "shape":
-        return SHAPES[name]
-    if kind == "pattern":
-        return (PATTERNS[name] or name) + ("" if name in FLAT else GREY)
-    return name
+        what = parts.SHAPES.get(name, name)
+    elif name in parts.PATTERNS and kind in ("pattern", "floor", "ball", "bump"):
+        what = parts.PATTERNS[name][0] + ("" if name in parts.FLAT or kind == "bump" else parts.GREY)
+    elif kind in ("pattern", "floor"):
+        what = name + parts.GREY
+    return parts.WAYS[kind].format(what)
 
 
 def _kind(stem: str, declaration: dict) -> str:
     if declaration["name"].startswith("O_Cloud"):
         return ""  # as large as the sky
+    if declaration["kind"] == "object" and stem == "shapesq":
+        return "surface"
     return "letter" if stem == "chars" else declaration["kind"]
 
 
-def sheet(include: str, names: list[tuple[str, str]]) -> str:
+def sheet(include: str, names: list[tuple[str, str]], captions: bool) -> str:
     """The scene of a sheet."""
     shown = [(name, kind) for name, kind in names if kind != "sky_sphere"]
     rows = (len(shown) + COLUMNS - 1) // COLUMNS
+    height = HEIGHT if captions else 1
     first = BEFORE.get(include, "")
-    scene = STAGE.format(include=first or include, columns=COLUMNS, rows=rows)
-    if include in ("patterns", "objects"):
+    scene = parts.STAGE.format(version="3.8" if include in LANGUAGE else "3.7", include=first or include, columns=COLUMNS,
+                               rows=rows * height, backdrop=parts.BACKDROPS.get(include, parts.CHECKERS))
+    if include in LANGUAGE:
         scene = scene.replace(f'#include "{include}"\n', "")
     if first:
         scene = scene.replace("camera {", f'#include "{include}"\ncamera {{', 1)
+    scene += parts.PRELUDES.get(include, "") + (parts.HELPERS if captions else "")
     for k, (name, kind) in enumerate(shown):
-        place = f"<{k % COLUMNS - (COLUMNS - 1) / 2}, {(rows - 1) / 2 - k // COLUMNS}, 0>"
-        scene += f"object {{ {WAYS[kind].format(written(name, kind))} scale 0.45 translate {place} }}\n"
+        x, y = k % COLUMNS - (COLUMNS - 1) / 2, ((rows - 1) / 2 - k // COLUMNS) * height
+        scene += f"object {{ {written(name, kind)} scale 0.45 translate <{x}, {y + (height - 1) / 2}, 0> }}\n"
+        for line, caption in enumerate(lines_of(name) if captions else []):
+            scene += f'Caption("{caption}", <{x}, {y - 0.44 - 0.17 * line:.4g}, 0>)\n'
     return scene
 
 
+def label(shown: str) -> str:
+    """The name of what is shown: of the macro, if it is a call."""
+    return re.findall(r"\w+(?=\()", shown)[0] if "(" in shown else shown
+
+
+def lines_of(name: str) -> list[str]:
+    """A name in one or two lines of about the same length."""
+    name = label(name)
+    breaks = [m.start() for m in re.finditer(r"(?<=_)|(?<=[a-z0-9])(?=[A-Z])", name) if 0 < m.start() < len(name)]
+    if len(name) < 12 or not breaks:
+        return [name]
+    at = min(breaks, key=lambda k: abs(k - len(name) / 2))
+    return [name[:at], name[at:]]
+
+
 def sky(include: str, name: str) -> str:
-    return (f'#version 3.7;\nglobal_settings {{ assumed_gamma 1 }}\n#include "colors.inc"\n#include "{include}"\n'
-            f"camera {{ location y look_at <0, 1.4, 1> angle 70 right x up y }}\nsky_sphere {{ {name} }}\n"
-            "light_source { <-50, 80, -60> rgb 1 }\nplane { y, 0 pigment { rgb <0.3, 0.35, 0.25> } }\n")
+    return parts.SKY.format(include=include, name=name)
 
 
-def scenes(of: dict[str, list[tuple[str, str]]], wanted: list[str]) -> dict[str, tuple[str, int, int]]:
+def scenes(of: dict[str, list[tuple[str, str]]], wanted: tuple[str, ...] | list[str], captions: bool = False) -> dict[str, tuple[str, int, float]]:
     """Title → scene, and its size in swatches."""
     found = {}
     for include, names in of.items():
@@ -157,19 +137,29 @@ def scenes(of: dict[str, list[tuple[str, str]]], wanted: list[str]) -> dict[str,
             continue
         shown = sum(kind != "sky_sphere" for _, kind in names)
         if shown:
-            found[include] = (sheet(include, names), COLUMNS, (shown + COLUMNS - 1) // COLUMNS)
+            found[include] = (sheet(include, names, captions), COLUMNS, (shown + COLUMNS - 1) // COLUMNS * (HEIGHT if captions else 1))
         found |= {f"{include}:{name}": (sky(include, name), 2, 2) for name, kind in names if kind == "sky_sphere"}
     return found
 
 
-def render(source: str, size: tuple[int, int], pixels: int, with_oracle: bool = False, library: str = "") -> programs.Rendering:
+def render(source: str, size: tuple[int, float], pixels: int, with_oracle: bool = False, library: str = "") -> programs.Rendering:
     with tempfile.TemporaryDirectory(prefix="durer-") as folder:
         scene = Path(folder) / "swatches.pov"
         scene.write_text(source, "utf-8")
-        options = [f"+W{size[0] * pixels}", f"+H{size[1] * pixels}", "-D", "+A0.2" if pixels > 32 else "-A"]
+        options = [f"+W{size[0] * pixels}", f"+H{round(size[1] * pixels)}", "-D", "-A"]
         if with_oracle:
             return programs.render_with_oracle(scene, [*options, "+WT1"], LIMIT)
         return programs.render_with_durer(scene, [*options, *([f"+L{library}"] if library else [])], LIMIT)
+
+
+def picture(source: str, size: tuple[int, float], target: Path) -> str:
+    """Draws a sheet into a file, every pixel of many samples; returns what went wrong."""
+    with tempfile.TemporaryDirectory(prefix="durer-") as folder:
+        scene = Path(folder) / "swatches.pov"
+        scene.write_text(source, "utf-8")
+        done = programs.run([str(programs.durer_path()), f"+I{scene}", f"+O{target.absolute()}", "+FJ", "Compression=85", "-D", "+A0.0",
+                             f"+W{size[0] * PIXELS}", f"+H{round(size[1] * PIXELS)}"], Path(folder), LIMIT)
+    return "" if done.code == 0 and target.exists() else programs.first_error(done.err)
 
 
 def compare(wanted: list[str], with_oracle: bool) -> int:
@@ -189,19 +179,25 @@ def compare(wanted: list[str], with_oracle: bool) -> int:
     return 1 if differ else 0
 
 
-def draw(folder: Path) -> int:
-    """The sheets as PNG files, and which name is where in them."""
+def drawn() -> dict[str, list[tuple[str, str]]]:
+    """All that the reference shows: include → (name, kind)."""
+    found = listed() | new_ones()
+    for include, calls in parts.CALLED_PATTERNS.items():
+        found[include] = found[include] + calls
+    return found
+
+
+def draw(folder: Path, wanted: tuple[str, ...] | list[str] = ()) -> int:
+    """The sheets as JPEG files, and which name is where in them."""
     folder.mkdir(parents=True, exist_ok=True)
-    everything = listed() | new_ones()
+    everything = drawn()
     failed = 0
-    for title, (source, columns, rows) in scenes(everything, []).items():
-        made = render(source, (columns, rows), PIXELS)
-        if made.picture is None:
+    for title, (source, columns, rows) in scenes(everything, wanted, captions=True).items():
+        error = picture(source, (columns, rows), folder / f"{title.replace(':', '-')}.jpg")
+        if error:
             failed += 1
-            print(f"{title}: {made.error}", flush=True)
-            continue
-        (folder / f"{title.replace(':', '-')}.png").write_bytes(png.encode(made.picture))
-    index = {include: [name for name, kind in names if kind != "sky_sphere"] for include, names in everything.items()}
+            print(f"{title}: {error}", flush=True)
+    index = {include: [label(name) for name, kind in names if kind != "sky_sphere"] for include, names in everything.items()}
     (folder / "index.json").write_text(json.dumps(index, indent=1) + "\n", "utf-8")
     return 1 if failed else 0
 
@@ -209,12 +205,12 @@ def draw(folder: Path) -> int:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("action", choices=["compare", "oracle", "draw"])
-    parser.add_argument("what", nargs="*", help="includes, or the folder to draw into")
+    parser.add_argument("what", nargs="*", help="the folder to draw into, if it is draw; includes")
     args = parser.parse_args()
     if args.action == "draw":
-        if len(args.what) != 1:
-            parser.error("draw needs one folder")
-        return draw(Path(args.what[0]))
+        if not args.what:
+            parser.error("draw needs a folder")
+        return draw(Path(args.what[0]), args.what[1:])
     if not programs.INCLUDES.exists() or (args.action == "oracle" and not programs.oracle_path()):
         print(f"swatches: POV-Ray's includes are not there; {programs.HOW_TO_INSTALL_ORACLE}", file=sys.stderr)
         return programs.SKIPPED

@@ -62,6 +62,8 @@ void compile_surfaces(CompiledScene& out) {
     program.double_illuminate = s.double_illuminate;
     program.uv_mapping = s.uv_mapping;
     program.lamps = s.lamps;
+    program.photons = s.photons;
+    program.cutaway = s.cutaway != scene::none;
     bool all_opaque = true;
     if (s.part_textures != nullptr) {
       program.has_parts = true;
@@ -75,6 +77,11 @@ void compile_surfaces(CompiledScene& out) {
     out.surfaces.push_back(program);
     opaque_parts.push_back(all_opaque);
   }
+  // What takes its looks from other surfaces is as opaque as all of them, whoever they are.
+  bool lenders = true;
+  for (std::size_t i = 0; i < out.surfaces.size(); ++i) {
+    if (!out.surfaces[i].cutaway) lenders = lenders && is_opaque(out, out.surfaces[i], false);
+  }
   // Contents are opaque if they are so wherever they are placed.
   bool placements = true;
   for (const Placement& placement : out.geometry.placements()) {
@@ -82,6 +89,7 @@ void compile_surfaces(CompiledScene& out) {
   }
   std::vector<bool> opaque;
   for (std::size_t i = 0; i < out.surfaces.size(); ++i) {
+    if (out.surfaces[i].cutaway && !lenders) opaque_parts[i] = false;
     opaque.push_back(opaque_parts[i] && is_opaque(out, out.surfaces[i], placements));
   }
   out.geometry.set_opaque(std::move(opaque));
@@ -99,6 +107,7 @@ void compile_interiors(const scene::Scene& scene, CompiledScene& out) {
       out.interiors.back().media = out.media.add(*interior->media, instances[i].to_world);
     }
   }
+  if (out.subsurface) out.subsurface->add_interiors(out.interiors);
   if (out.quality.atmosphere) out.air_media = out.media.add(scene.atmosphere, {});
 }
 

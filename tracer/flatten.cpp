@@ -1,6 +1,5 @@
 #include "tracer/flatten.h"
 
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstring>
@@ -29,7 +28,9 @@ struct Context {
   bool splits = true;       // a plain union here falls apart into its children
   bool flags_count = true;  // inside an intersection the flags of children do not (objects §9.2)
   bool whole = false;  // inside a union that is not split: some flags of children do not either
-  std::uint8_t mask = seen_by_image | seen_by_reflection | casts_shadow | seen_by_gathering;
+  bool merged = false;      // inside a merge: they cast shadows in any case
+  std::uint8_t mask = seen_by_image | seen_by_transmission | seen_by_reflection | casts_shadow |
+                      seen_by_gathering;
   float importance = 1;
   bool double_illuminate = false;
   std::optional<bool> hollow;
@@ -40,6 +41,10 @@ struct Context {
   std::uint32_t gate = none;
   std::uint32_t direct_of = none;  // the light group whose direct child this is
   std::uint32_t lamps = 0;         // index into lamp_sets_
+  PhotonTraits photons;
+  bool cutaway = false;        // bare surfaces look like what they lie in (objects §9.5) …
+  bool keeps_bare = false;     // … and the parent leaves its children without a texture
+  bool filtered = false;       // inside a solid or clip, which decides what of it is seen
   bool received_by_uv = false;  // what shared contents receive from outside lies on the surface
 
   friend bool operator==(const Context&, const Context&) = default;
@@ -69,7 +74,14 @@ class SurfaceTable {
   static std::string key(const Surface& s) {
     std::string key(1, s.double_illuminate ? '1' : '0');
     key += s.uv_mapping ? '1' : '0';
+    const PhotonTraits& p = s.photons;
+    for (const std::optional<bool>& said : {p.refraction, p.reflection, p.collect}) {
+      key += said ? (*said ? '1' : '0') : '-';
+    }
+    key += p.pass_through ? '1' : '0';
+    key.append(reinterpret_cast<const char*>(&p.target), sizeof p.target);
     key.append(reinterpret_cast<const char*>(&s.lamps), sizeof s.lamps);
+    key.append(reinterpret_cast<const char*>(&s.cutaway), sizeof s.cutaway);
     key.append(reinterpret_cast<const char*>(&s.part_textures), sizeof s.part_textures);
     if (s.part_textures != nullptr && !s.part_transform.is_identity()) {
       append(key, s.part_transform);
@@ -135,8 +147,10 @@ class Flattener {
     Context own = inherit(id, around);
     own.direct_of = none;
     if (object.kind == NodeKind::light_group) enter_group(object, own);
-    if (own.scenery && around.splits && depth_ < max_placement_depth &&
-        object.extras->clips.empty() && sharing_.shares(object, own.to_world)) {
+    if (scene_.settings.photons && own.scenery) inherit_photons(id, around, own);
+    if (own.scenery && around.splits && !own.cutaway && depth_ < max_placement_depth &&
+        object.extras->clips.empty() && sharing_.shares(object, own.to_world) &&
+        !holds_targets(object)) {
       add_placement(object, own);
       return none;
     }
@@ -155,14 +169,16 @@ class Flattener {
     own.double_illuminate = around.double_illuminate || object.double_illuminate;
     if (object.hollow) own.hollow = object.hollow;
     if (own.flags_count) {
-      if (object.no_image && !around.whole) own.mask &= static_cast<std::uint8_t>(~seen_by_image);
-      if (object.no_reflection) own.mask &= static_cast<std::uint8_t>(~seen_by_reflection);
-      if (object.no_shadow && !around.whole) own.mask &= static_cast<std::uint8_t>(~casts_shadow);
-      if (object.no_radiosity) own.mask &= static_cast<std::uint8_t>(~seen_by_gathering);
+      const auto hide_from = [&own](int who) { own.mask &= static_cast<std::uint8_t>(~who); };
+      if (object.no_image) hide_from(seen_by_transmission | (around.whole ? 0 : seen_by_image));
+      if (object.no_reflection) hide_from(seen_by_reflection);
+      if (object.no_shadow && !around.whole && !around.merged) hide_from(casts_shadow);
+      if (object.no_radiosity) hide_from(seen_by_gathering);
     }
     if (object.importance > 0) own.importance = object.importance;
     own.whole = object.kind == NodeKind::union_ &&
                 (around.whole || !around.splits || stays_whole(object));
+    own.merged = around.merged || object.kind == NodeKind::merge;
     if (!own.scenery) return own;
     const auto place = [&](const scene::TextureUse& use, scene::TextureUse& to) {
       if (use.texture == none) return;
@@ -175,6 +191,10 @@ class Flattener {
     own.uv_mapping = around.uv_mapping || object.uv_mapping;
     place(object.texture, own.texture);
     place(object.extras->interior_texture, own.interior_texture);
+    own.cutaway = around.cutaway || object.cutaway_textures;
+    if (own.cutaway && own.texture.texture == none && !around.keeps_bare && !has_texture(id)) {
+      own.texture = {default_texture_, {}};
+    }
     if (object.interior != none || own.interior == none) {
       own.interior = static_cast<std::uint32_t>(group_->interiors.size());
       SharedTransform media;
@@ -186,6 +206,33 @@ class Flattener {
     group_->interiors[own.interior].hollow = own.hollow.value_or(false);
     if (!object.extras->bounds.empty()) add_gate(id, around, own);
     return own;
+  }
+
+  void inherit_photons(scene::ObjectId id, const Context& around, Context& own) {
+    const scene::ObjectPhotons& said = scene_.objects[id].extras->photons;
+    PhotonTraits& p = own.photons;
+    // The outermost who says something decides.
+    if (!p.refraction) p.refraction = said.refraction;
+    if (!p.reflection) p.reflection = said.reflection;
+    if (!p.collect) p.collect = said.collect;
+    p.pass_through = p.pass_through || said.pass_through;
+    if (said.target == 0 || p.target != none || !lamp_sets_[own.lamps].global) return;
+    p.target = static_cast<std::uint32_t>(flat_.photon_targets.size());
+    flat_.photon_targets.push_back({said.target, p.refraction, p.reflection, p.collects(),
+                                    extent_of(scene_, id, around.to_world)});
+  }
+
+  // Photons are sent to places, so a target is one thing in one place.
+  bool holds_targets(const Object& object) {
+    if (!scene_.settings.photons) return false;
+    const auto [known, is_new] = holds_targets_.try_emplace(object.children.identity(), false);
+    if (!is_new) return known->second;
+    const bool holds =
+        std::any_of(object.children.begin(), object.children.end(), [&](scene::ObjectId child) {
+          const Object& o = scene_.objects[child];
+          return o.extras->photons.target > 0 || (!o.children.empty() && holds_targets(o));
+        });
+    return holds_targets_[object.children.identity()] = holds;
   }
 
   // The oracle splits unions into their children, but not those that are clipped, or bounded and
@@ -204,7 +251,8 @@ class Flattener {
   }
 
   std::uint32_t add_leaf(const Object& object, const Context& own) {
-    FlatLeaf part{&object, SharedTransform(own.to_world), own.inverted, own.muted, own.mask, own.gate, none};
+    FlatLeaf part{&object, SharedTransform(own.to_world), own.inverted, own.muted, false,
+                  own.mask, own.gate, none};
     if (own.scenery) {
       Surface surface;
       surface.texture = own.texture;
@@ -212,6 +260,7 @@ class Flattener {
       surface.double_illuminate = own.double_illuminate;
       surface.uv_mapping = own.uv_mapping;
       surface.lamps = own.lamps;
+      surface.photons = own.photons;
       const std::vector<scene::TextureId>& parts = object.extras->mesh != nullptr
                                                        ? object.extras->mesh->textures
                                                        : object.extras->part_textures;
@@ -219,16 +268,15 @@ class Flattener {
         surface.part_textures = &parts;
         if (!own.uv_mapping) surface.part_transform = own.to_world;
       }
+      if (own.cutaway && surface.texture.texture == none) surface.cutaway = cutaway();
       if (surface.texture.texture == none) surface.texture = {default_texture_, {}};
-      if (primitive_infos()[object.type]->lacks_uv && needs_uv(surface, own)) {
-        report(object, fmt::format("`uv_mapping` of a `{}`", primitive_infos()[object.type]->name));
-      }
+      part.by_uv = surface.cutaway != none || needs_uv(surface, own);
       part.leaf = static_cast<std::uint32_t>(flat_.leaves.size());
       group_->interiors[own.interior].texture = surface.texture.texture;
       flat_.leaves.push_back({surfaces_.add(surface), own.interior, object.origin, own.importance});
     }
     flat_.parts.push_back(part);
-    return add_node({Op::leaf, static_cast<std::uint32_t>(flat_.parts.size() - 1), {}});
+    return add_node({Op::leaf, {}, static_cast<std::uint32_t>(flat_.parts.size() - 1), {}});
   }
 
   // Inversion goes down to the leaves: the inverse of a union is the intersection of the inverses,
@@ -246,10 +294,16 @@ class Flattener {
     Context inner = own;
     inner.splits = around.splits && op == Op::any && object.extras->clips.empty();
     inner.flags_count = own.flags_count && op != Op::all;
-    FlatNode node{op, none, {}};
+    inner.keeps_bare = own.cutaway && op == Op::all;
+    inner.filtered = own.filtered || op != Op::any || !object.extras->clips.empty();
+    const bool outermost = inner.filtered && !own.filtered;
+    const std::uint32_t cutaway_around = outermost ? std::exchange(cutaway_, none) : none;
+    FlatNode node{op, Lenders::all, none, {}};
+    if (object.kind == NodeKind::difference && op == Op::all) node.lenders = Lenders::first;
     for (std::size_t i = 0; i < object.children.size(); ++i) {
       inner.inverted = own.inverted != (object.kind == NodeKind::difference && i > 0);
       const std::uint32_t child = visit(object.children[i], inner);
+      if (child == none && i == 0 && node.lenders == Lenders::first) node.lenders = Lenders::nobody;
       if (child == none) continue;
       if (inner.splits) {
         group_->entries.push_back({child, entry_interior_});
@@ -257,7 +311,29 @@ class Flattener {
         node.children.push_back(child);
       }
     }
-    return node.children.empty() ? none : add_node(std::move(node));
+    const std::uint32_t index = node.children.empty() ? none : add_node(std::move(node));
+    if (outermost) {
+      if (cutaway_ != none) flat_.cutaways[cutaway_] = index;
+      cutaway_ = cutaway_around;
+    }
+    return index;
+  }
+
+  /// That of the outermost solid around, which is being visited.
+  std::uint32_t cutaway() {
+    if (cutaway_ == none) {
+      cutaway_ = static_cast<std::uint32_t>(flat_.cutaways.size());
+      flat_.cutaways.push_back(none);
+    }
+    return cutaway_;
+  }
+
+  /// True if the object or anything in it has a texture of its own.
+  [[nodiscard]] bool has_texture(scene::ObjectId id) const {
+    const Object& object = scene_.objects[id];
+    return object.texture.texture != none ||
+           std::any_of(object.children.begin(), object.children.end(),
+                       [this](scene::ObjectId child) { return has_texture(child); });
   }
 
   /// Clipping keeps what lies inside all clips, and makes no caps: the clips take part as an
@@ -269,7 +345,7 @@ class Flattener {
         primitive_infos()[object.type]->name == "bicubic_patch") {
       return body;
     }
-    FlatNode node{Op::all, none, {body}};
+    FlatNode node{Op::all, Lenders::body, none, {body}};
     Context hidden = behind_the_scenes(object.extras->clip_transform, around);
     hidden.muted = true;
     for (const scene::ObjectId id : object.extras->clips) {
@@ -319,6 +395,7 @@ class Flattener {
     Context own = around;
     own.to_world = object.transform.then(around.to_world);
     own.direct_of = none;
+    own.photons.pass_through = true;  // the lamp's own light does not stop there
     return visit(object.children[0], own);
   }
 
@@ -496,7 +573,9 @@ class Flattener {
   std::vector<LampSet> lamp_sets_{1};
   std::uint32_t groups_ = 0;
   std::unordered_map<const void*, bool> endless_;  // by Object::children
+  std::unordered_map<const void*, bool> holds_targets_;  // likewise
   scene::TextureId default_texture_ = none;
+  std::uint32_t cutaway_ = none;      // of the outermost solid being visited; none: not needed yet
   std::uint32_t entry_interior_ = 0;  // of the object that `visit` has just returned
   std::unordered_set<scene::ObjectId> reported_;
 };

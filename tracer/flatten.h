@@ -21,6 +21,7 @@ struct FlatLeaf {
   SharedTransform to_world;
   bool inverted = false;
   bool muted = false;  // part of a clip: its surface is never seen
+  bool by_uv = false;  // its texture lies on the surface: see PrimitiveType::place_for_uv
   std::uint8_t mask = 0;
   std::uint32_t gate = scene::none;  // index into Flat::gates
   std::uint32_t leaf = scene::none;  // index into Flat::leaves; none: part of a clip or bound
@@ -33,8 +34,17 @@ enum class Op : std::uint8_t {
   all,    // intersection: hits count inside all other children
 };
 
+/// Of whose textures a bare surface in a solid may take its own (objects §9.5).
+enum class Lenders : std::uint8_t {
+  all,     // those of every child that holds the point
+  first,   // those of the first child, if it holds the point: a difference
+  body,    // those of the first child: the others clip it
+  nobody,  // a difference whose first child has no geometry
+};
+
 struct FlatNode {
   Op op = Op::leaf;
+  Lenders lenders = Lenders::all;
   std::uint32_t part = scene::none;     // leaf: index into Flat::parts
   std::vector<std::uint32_t> children;  // others: indices into Flat::nodes
 };
@@ -70,10 +80,12 @@ struct Flat {
   std::vector<scene::Light> lights;
   std::vector<std::vector<std::uint32_t>> lamp_sets;  // see Surface::lamps
   std::vector<Projection> projections;
+  std::vector<PhotonTarget> photon_targets;
 
   std::vector<FlatLeaf> parts;
   std::vector<FlatNode> nodes;
   std::vector<FlatGate> gates;
+  std::vector<std::uint32_t> cutaways;  // nodes whose leaves have Surface::cutaway
   int noise_generator = 2;  // of functions that are shapes
 };
 

@@ -16,6 +16,7 @@ add_library(durer_geometry STATIC
   accel/triangle_tree.cpp
   accel/wide_build.cpp
   csg/build.cpp
+  csg/cutaway.cpp
   csg/gate.cpp
   csg/solid_targets.cpp
   csg/sweep.cpp
@@ -34,6 +35,7 @@ add_library(durer_geometry STATIC
   primitives/registry.cpp
   primitives/sampled_search.cpp
   primitives/tube.cpp
+  primitives/typed_store.cpp
   ${primitive_sources})
 add_library(durer::geometry ALIAS durer_geometry)
 # 256-bit vectors are only passed to functions that are inlined: how others would pass them is moot.

@@ -13,6 +13,7 @@ namespace {
 std::uint8_t mask_of(RayKind kind) {
   switch (kind) {
     case RayKind::image: return seen_by_image;
+    case RayKind::transmission: return seen_by_transmission;
     case RayKind::reflection: return seen_by_reflection;
     case RayKind::shadow: return casts_shadow;
     case RayKind::gathering: return seen_by_gathering;
@@ -85,6 +86,7 @@ std::span<const std::vector<std::uint32_t>> Geometry::lamp_sets() const {
   return state_->lamp_sets;
 }
 std::span<const Projection> Geometry::projections() const { return state_->projections; }
+std::span<const PhotonTarget> Geometry::photon_targets() const { return state_->photon_targets; }
 
 void Geometry::set_opaque(std::vector<bool> by_surface) { state_->set_opaque(by_surface); }
 bool Geometry::has_translucent_shadows() const { return state_->translucent_shadows; }
@@ -122,6 +124,11 @@ dvec2 Geometry::uv(const Hit& hit) {
 }
 TextureBlend Geometry::part_textures(const Hit& hit) {
   return hit.store->textures(hit.shape, hit.at(hit.depth), hit.part);
+}
+
+TextureBlend Geometry::cutaway_textures(const Hit& hit, bool from_inside) const {
+  const Surface& surface = state_->surfaces[state_->leaves[hit.leaf].surface];
+  return state_->cutaways[surface.cutaway].lenders(hit.p, hit.leaf, from_inside);
 }
 
 bool Geometry::occluded(const Ray& ray, double t_from, double t_to,

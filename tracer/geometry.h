@@ -15,6 +15,7 @@
 #include "base/ray.h"
 #include "scene/scene.h"
 #include "tracer/accel/casters.h"
+#include "tracer/photon_traits.h"
 #include "tracer/query.h"
 #include "tracer/sharing.h"
 
@@ -46,6 +47,8 @@ struct Surface {
   const std::vector<scene::TextureId>* part_textures = nullptr;
   SharedTransform part_transform;
   std::uint32_t lamps = 0;  // who lights it: index into Geometry::lamp_sets()
+  PhotonTraits photons;
+  std::uint32_t cutaway = scene::none;  // not none: it looks like what it lies in
 };
 
 /// A lamp that shines through an object, which is not seen otherwise.
@@ -84,8 +87,9 @@ struct Hit {
 
 /// What a ray may see (shading §5.5).
 enum class RayKind : std::uint8_t {
-  image,       // camera rays and what they see by transmission
-  reflection,  // rays that were reflected at least once
+  image,         // camera rays
+  transmission,  // what they see through something
+  reflection,    // rays that were reflected at least once
   shadow,
   gathering,  // rays that gather indirect light, and all that follow from them
 };
@@ -129,6 +133,8 @@ class Geometry {
   /// groups. Set 0 is for all that is in no group.
   [[nodiscard]] std::span<const std::vector<std::uint32_t>> lamp_sets() const;
   [[nodiscard]] std::span<const Projection> projections() const;
+  /// Objects that photons are sent to by lamps in no light group; none if photons are off.
+  [[nodiscard]] std::span<const PhotonTarget> photon_targets() const;
 
   /// What came to light about primitives while rays asked them: see Store::doubt. Each message once
   /// per object of the scene.
@@ -151,6 +157,9 @@ class Geometry {
   [[nodiscard]] static dvec2 uv(const Hit& hit);
   /// Which of the surface's part_textures are seen at a hit.
   [[nodiscard]] static TextureBlend part_textures(const Hit& hit);
+  /// Of a hit on a surface with Surface::cutaway: the surfaces that lend it their textures. Where
+  /// there is nobody, two parts of no weight.
+  [[nodiscard]] TextureBlend cutaway_textures(const Hit& hit, bool from_inside) const;
 
   /// True if an opaque, shadow-casting surface lies in t_from < t < t_to.
   bool occluded(const Ray& ray, double t_from, double t_to, GeometryScratch& scratch) const;

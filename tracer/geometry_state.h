@@ -9,6 +9,7 @@
 
 #include "tracer/accel/accel.h"
 #include "tracer/accel/box_tree.h"
+#include "tracer/csg/cutaway.h"
 #include "tracer/csg/solid_targets.h"
 #include "tracer/flatten.h"
 #include "tracer/geometry.h"
@@ -61,6 +62,8 @@ struct Geometry::State {
   std::vector<scene::Light> lights;
   std::vector<std::vector<std::uint32_t>> lamp_sets;
   std::vector<Projection> projections;
+  std::vector<PhotonTarget> photon_targets;
+  std::vector<Cutaway> cutaways;
 
   std::vector<TypeStores> operands;  // per primitive type: those inside solids, clips and bounds
   Surroundings around;
@@ -100,6 +103,7 @@ struct Geometry::State {
   void finish_group(Group& group, PlacementTargets::Contents& result, Hierarchy hierarchy);
   void update_masks();
   void add_gates(const Flat& flat);
+  void add_cutaways(const Flat& flat);
   void add_entry(Group& group, const Flat& flat, const FlatEntry& entry);
   std::optional<ShapeRef> place(std::vector<TypeStores>& stores, const FlatLeaf& part);
 };

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "image/image.h"
@@ -43,6 +44,7 @@ struct RenderResult {
   image::Image image;  // pixels outside the rendered part are 0
   Progress final;
   bool cancelled = false;
+  std::string warning;  // why a file that the scene asks for could not be written; empty: all is well
 };
 
 /// A picture of which some blocks are done, so that a render can be interrupted and taken up again.

@@ -56,7 +56,9 @@ Sharing::Weight Sharing::weigh(const scene::Scene& scene, const Object& object) 
   const scene::ObjectExtras& extras = *object.extras;
   // Lamps are few, and who lights what depends on the groups around them.
   const bool lamps = object.kind == NodeKind::light || object.kind == NodeKind::light_group;
-  if (lamps || object.kind == NodeKind::unsupported || !extras.unsupported.empty() ||
+  // Cut surfaces ask what is around them, which has its own place in the scene.
+  if (lamps || object.cutaway_textures || object.kind == NodeKind::unsupported ||
+      !extras.unsupported.empty() ||
       keeps_bumps(scene, object.texture.texture) ||
       keeps_bumps(scene, extras.interior_texture.texture)) {
     w.movable = false;

@@ -47,6 +47,31 @@ template <std::size_t N>
   return x;
 }
 
+/// How often the polynomial can change its sign in (lo, hi): so often, or less by an even number
+/// [Descartes, for the coefficients in Bernstein form].
+template <std::size_t N>
+[[nodiscard]] int most_sign_changes(Polynomial<N> c, double lo, double hi) {
+  // About lo, in units of the interval: c[N - i] · u^i.
+  double unit = 1;
+  for (std::size_t k = 0; k <= N; ++k) {
+    for (std::size_t i = 1; i + k <= N; ++i) c[i] += c[i - 1] * lo;
+    c[N - k] *= unit;
+    unit *= hi - lo;
+  }
+  // Coefficient j in Bernstein form is the sum of C(j, i) / C(N, i) · c[N - i].
+  double binomial = 1;
+  for (std::size_t i = 0; i <= N; ++i) {
+    c[N - i] /= binomial;
+    binomial = binomial * static_cast<double>(N - i) / static_cast<double>(i + 1);
+  }
+  for (std::size_t k = 0; k < N; ++k) {
+    for (std::size_t i = 0; i < N - k; ++i) c[i] += c[i + 1];
+  }
+  int changes = 0;
+  for (std::size_t i = 0; i < N; ++i) changes += (c[i] < 0) != (c[i + 1] < 0) ? 1 : 0;
+  return changes;
+}
+
 /// The places in (lo, hi) where the sign of the polynomial changes, ascending. Roots of even
 /// multiplicity are none. The count is even exactly if the signs at both ends agree, whatever
 /// rounding does: closed surfaces are never entered without being left.
@@ -60,6 +85,15 @@ template <std::size_t N>
     return inside;
   } else {
     const Polynomial<N - 1> slope = derivative<N>(c);
+    // Most intervals hold no root or one, which needs no extrema.
+    const int most = most_sign_changes<N>(c, lo, hi);
+    if (most <= 1) {
+      const bool negative_at_lo = evaluate<N>(c, lo) < 0;
+      const bool changes = negative_at_lo != (evaluate<N>(c, hi) < 0);
+      Roots<N> single;
+      if (changes && most == 1) single.add(bracketed_root<N>(c, slope, lo, hi, negative_at_lo));
+      if (changes == (most == 1)) return single;
+    }
     const Roots<N - 1> extrema = sign_changes<N - 1>(slope, lo, hi);
     Roots<N> roots;
     double a = lo;

@@ -43,8 +43,11 @@ std::vector<scene::Object> samples_of(const PrimitiveType& type) {
 /// One placed sample with whatever the checks ask of it.
 class Subject {
  public:
-  Subject(const PrimitiveType& type, const scene::Object& object, const Transform& to_world)
-      : type_(&type), stores_(type.make_stores()), ref_(place_object(type, stores_, object, {}, to_world, false)) {
+  Subject(const PrimitiveType& type, const scene::Object& object, const Transform& to_world,
+          bool by_uv = false)
+      : type_(&type),
+        stores_(type.make_stores()),
+        ref_(place_object(type, stores_, object, {}, to_world, false, by_uv)) {
     if (!ref_) return;
     const Bounds3 box = surface_box();
     const bool endless = box.infinite();
@@ -57,6 +60,13 @@ class Subject {
   [[nodiscard]] double size() const { return size_; }
   [[nodiscard]] Bounds3 surface_box() const { return store().surface_bounds(ref_->shape); }
   [[nodiscard]] Bounds3 inside_box() const { return store().inside_bounds(ref_->shape); }
+  [[nodiscard]] Bounds3 inside_within(const Bounds3& box) const {
+    return store().inside_within(ref_->shape, box);
+  }
+  [[nodiscard]] dvec2 uv(dvec3 p, std::uint32_t part) const {
+    return store().uv(ref_->shape, p, part);
+  }
+  [[nodiscard]] bool has_uv() const { return store().has_uv(); }
   [[nodiscard]] bool contains(dvec3 p) const { return store().contains(ref_->shape, p); }
   [[nodiscard]] dvec3 normal(dvec3 p, std::uint32_t part) const {
     return store().normal(ref_->shape, p, part);
@@ -165,6 +175,53 @@ TEST_CASE("primitives: boxes enclose surface and inside", "[conformance]") {
     CHECK(hits > 0);
     CHECK(outside == 0);
   });
+}
+
+TEST_CASE("primitives: what is known of the inside within a box holds all of it", "[conformance]") {
+  for_every_subject([](const Subject& s, Random& random) {
+    int outside = 0;
+    for (int i = 0; i < 50; ++i) {
+      Bounds3 box;
+      box.add(s.point(random));
+      box.add(s.point(random));
+      const Bounds3 probes = box;
+      for (int axis = 0; axis < 3; ++axis) {  // some are open on some sides
+        if (random() % 4 == 0) box.lo[axis] = -unbounded;
+        if (random() % 4 == 0) box.hi[axis] = unbounded;
+      }
+      const Bounds3 found = s.inside_within(box);
+      const dvec3 slack(1e-9 * s.size());
+      for (int k = 0; k < 40; ++k) {
+        const dvec3 p = probes.lo + (probes.hi - probes.lo) * (point_in_cube(random, 0.5) + 0.5);
+        if (s.contains(p) && !Bounds3{found.lo - slack, found.hi + slack}.contains(p)) ++outside;
+      }
+    }
+    CHECK(outside == 0);
+  });
+}
+
+TEST_CASE("primitives: surface coordinates turn with the surface", "[conformance]") {
+  for (const PrimitiveType* type : primitive_types()) {
+    CAPTURE(type->name);
+    for (const scene::Object& sample : samples_of(*type)) {
+      const Subject still(*type, sample, {}, true);
+      if (!still.has_uv()) continue;
+      for (const Transform& placement : placements()) {
+        const Subject moved(*type, sample, placement, true);
+        Random random(5);
+        for (int i = 0; i < 100; ++i) {
+          const Ray ray = still.ray(random);
+          for (const Crossing& c : still.crossings(ray)) {
+            const dvec3 p = ray.at(c.t);
+            const dvec2 there = moved.uv(placement.point(p), c.part);
+            const double off = glm::distance(there, still.uv(p, c.part));
+            // u wraps around, and v does at the poles.
+            REQUIRE(std::min(off, std::abs(off - 1)) < 1e-6);
+          }
+        }
+      }
+    }
+  }
 }
 
 TEST_CASE("primitives: the inside changes at enter and exit, and only there", "[conformance]") {

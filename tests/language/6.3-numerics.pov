@@ -166,3 +166,14 @@ global_settings { assumed_gamma 1 }
 //= a division by the constant zero in a later argument
 #declare F = function(X) { select(X, 3/0, 1) }
 // error: D0301 at 1:38
+
+//= constants have no negative zero, arguments have
+#declare V = -0;
+#declare F = function(X) { X*V }
+#declare G = function(X) { X*(-0) }
+#declare H = function(X, Y) { X*Y }
+#declare C = function(X) { V }
+#debug concat(str(F(0.5), 0, 3), " ", str(F(-0.5), 0, 3), " ", str(G(0.5), 0, 3), "\n")
+#debug concat(str(H(0.5, V), 0, 3), " ", str(C(0.5), 0, 3), " ", str(V, 0, 3), "\n")
+// expect: 0.000 -0.000 0.000
+// expect: -0.000 0.000 -0.000

@@ -5,10 +5,12 @@ from generators.writer import Writer
 
 def piece(w: Writer) -> None:
     name, kind = w.fresh("Ob"), w.rng.randint(0, 3)
-    w.line(f"#declare {name} = {shape(w, w.rng.randint(0, 2), _move if kind == 0 else _changes)}")
+    # POV-Ray keeps the box of solids that are inverted, and its rays miss what lies beyond.
+    moves = (_move, _changes, _moves, _moves)[kind]
+    w.line(f"#declare {name} = {shape(w, w.rng.randint(0, 2), moves)}")
     if kind == 0:
-        # POV-Ray keeps a corner and a size in single precision, and rounds at every transformation.
-        # It keeps the box of solids that are inverted, and turns boxes at every step, or not at all.
+        # It keeps a corner and a size in single precision, and rounds at every transformation. It
+        # turns boxes at every step, or not at all.
         _show(w, f"min_extent({name})", 2)
         _show(w, f"max_extent({name})", 2)
     elif kind == 1:
@@ -52,7 +54,10 @@ def _move(w: Writer) -> str:
                    f"scale {w.rng.uniform(0.5, 2):.2f}", f"scale <1, {w.rng.uniform(0.5, 2):.2f}, 1>"))
 
 
+def _moves(w: Writer) -> str:
+    return " ".join(_move(w) for _ in range(w.rng.choice((0, 1, 2))))
+
+
 def _changes(w: Writer) -> str:
     """Up to two moves, and perhaps the inside turned out."""
-    moves = [_move(w) for _ in range(w.rng.choice((0, 1, 2)))]
-    return " ".join([*moves, w.pick(("", "", "", "inverse"))])
+    return f"{_moves(w)} {w.pick(('', '', '', 'inverse'))}"

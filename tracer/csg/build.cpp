@@ -1,9 +1,69 @@
 #include "tracer/csg/build.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "tracer/primitives/describe.h"
+#include "tracer/primitives/registry.h"
 
 namespace durer::tracer {
 namespace {
+
+/// `t` with what is only rounding made zero, so that axes that are parallel are so exactly.
+std::optional<Transform> without_dust(const Affine& t) {
+  std::array<double, 12> m{t.x.x, t.x.y, t.x.z, t.y.x, t.y.y, t.y.z,
+                           t.z.x, t.z.y, t.z.z, t.t.x, t.t.y, t.t.z};
+  double greatest = 0;
+  for (std::size_t i = 0; i < 9; ++i) greatest = std::max(greatest, std::abs(m[i]));
+  for (std::size_t i = 0; i < 9; ++i) {
+    if (std::abs(m[i]) < 1e-13 * greatest) m[i] = 0;
+  }
+  return Transform::matrix(m);
+}
+
+/// The inside of an intersection as far as those of its children tell that are leaves, in a space
+/// whose map to the world is `frame`.
+Bounds3 inside_in(const Flat& flat, const FlatNode& node, const Transform& frame) {
+  std::vector<std::pair<TypeStores, ShapeRef>> placed;
+  Bounds3 inside = Bounds3::everything();
+  for (const std::uint32_t child : node.children) {
+    if (flat.nodes[child].op != Op::leaf) continue;
+    const FlatLeaf& part = flat.parts[flat.nodes[child].part];
+    const PrimitiveType& type = *primitive_types()[part.object->type];
+    const auto to_frame = without_dust(part.to_world->forward.then(frame.backward));
+    if (type.place_whole != nullptr || !to_frame) continue;
+    TypeStores stores = type.make_stores();
+    const auto ref = place_object(type, stores, *part.object, {}, *to_frame, part.inverted);
+    if (!ref || ref->inverted) continue;
+    inside = inside.intersection(ref->store->inside_bounds(ref->shape));
+    placed.emplace_back(std::move(stores), *ref);
+  }
+  constexpr int rounds = 2;  // they may bound each other
+  for (int i = 0; i < rounds && !inside.empty(); ++i) {
+    for (const auto& [stores, ref] : placed) {
+      inside = inside.intersection(ref.store->inside_within(ref.shape, inside));
+    }
+  }
+  return inside;
+}
+
+/// What has been turned as a whole, half-spaces and all, may be bounded along its own axes.
+void bound_turned(const Flat& flat, const FlatNode& node, Bounds3& inside) {
+  constexpr int most = 4;  // leaves whose axes are tried
+  int tried = 0;
+  for (const std::uint32_t child : node.children) {
+    if (flat.nodes[child].op != Op::leaf) continue;
+    if (++tried > most) return;
+    const Transform& frame = flat.parts[flat.nodes[child].part].to_world;
+    const Bounds3 own = inside_in(flat, node, frame);
+    if (own.empty()) return void(inside = own);
+    if (own.infinite()) continue;
+    inside = inside.intersection(BoxTree::grown(own).transformed(frame.forward));
+    return;
+  }
+}
 
 class SolidBuilder {
  public:
@@ -31,6 +91,7 @@ class SolidBuilder {
     Bounds3 surface;
     Bounds3 inside;
     bool value = false;
+    std::uint32_t leaf = no_node;  // of a subtree that is one
   };
 
   Extent add(std::uint32_t flat_node, std::uint32_t parent) {
@@ -40,9 +101,11 @@ class SolidBuilder {
         add_node(node.op, parent, static_cast<std::uint32_t>(node.children.size()));
     Extent extent;
     if (node.op == Op::all) extent.inside = Bounds3::everything();
+    std::vector<std::uint32_t> leaves;  // among the children
     for (const std::uint32_t child : node.children) {
       const Extent e = add(child, index);
       if (e.value) ++solid_.counts[index];
+      if (e.leaf != no_node) leaves.push_back(e.leaf);
       extent.surface.add(e.surface);
       if (node.op == Op::all) {
         extent.inside = extent.inside.intersection(e.inside);
@@ -50,18 +113,34 @@ class SolidBuilder {
         extent.inside.add(e.inside);
       }
     }
+    if (node.op == Op::all) {
+      tighten(leaves, extent.inside);
+      if (extent.inside.infinite()) bound_turned(flat_, node, extent.inside);
+    }
     // A surface counts inside the others and lies on the border of its own inside.
     if (node.op == Op::all) extent.surface = extent.surface.intersection(extent.inside);
     extent.value = solid_.nodes[index].value(solid_.counts[index]);
     return extent;
   }
 
+  // What is endless by itself (a hyperboloid) may be bounded by what the others leave of it.
+  void tighten(const std::vector<std::uint32_t>& leaves, Bounds3& inside) const {
+    constexpr int rounds = 2;  // they may bound each other
+    for (int i = 0; i < rounds; ++i) {
+      for (const std::uint32_t leaf : leaves) {
+        const SolidLeaf& l = solid_.leaves[leaf];
+        if (inside.empty()) return;
+        if (!l.inverted) inside = inside.intersection(l.store->inside_within(l.shape, inside));
+      }
+    }
+  }
+
   Extent add_leaf(const FlatLeaf& part, std::uint32_t parent) {
     const auto ref = place_(part);
     if (!ref) return add_nothing(part.inverted, parent);
     const auto index = static_cast<std::uint32_t>(solid_.leaves.size());
-    solid_.leaves.push_back(
-        {ref->store, ref->shape, parent, slot_of(ref->store), ref->inverted, part.muted});
+    solid_.leaves.push_back({ref->store, ref->shape, parent, slot_of(ref->store), ref->inverted,
+                             part.muted, absent_for(part, parent)});
     const Bounds3 inside = ref->store->inside_bounds(ref->shape);
     if (inside.infinite()) {
       solid_.endless.push_back(index);
@@ -70,13 +149,24 @@ class SolidBuilder {
       boxes_.push_back(inside);
     }
     return {ref->store->surface_bounds(ref->shape), ref->inverted ? Bounds3::everything() : inside,
-            ref->inverted};
+            ref->inverted, index};
+  }
+
+  /// What some rays do not see of a merge does not hide its other parts from them (objects §9.2).
+  [[nodiscard]] std::uint8_t absent_for(const FlatLeaf& part, std::uint32_t parent) const {
+    constexpr int seen =
+        seen_by_image | seen_by_transmission | seen_by_reflection | seen_by_gathering;
+    if (part.leaf == scene::none || part.inverted) return 0;
+    for (std::uint32_t n = parent; n != no_node; n = solid_.nodes[n].parent) {
+      if (solid_.nodes[n].op == Op::merge) return static_cast<std::uint8_t>(seen & ~part.mask);
+    }
+    return 0;
   }
 
   // A primitive without surface and inside is a union of nothing; its inverse fills space.
   Extent add_nothing(bool inverted, std::uint32_t parent) {
     add_node(inverted ? Op::all : Op::any, parent, 0);
-    return {{}, inverted ? Bounds3::everything() : Bounds3{}, inverted};
+    return {{}, inverted ? Bounds3::everything() : Bounds3{}, inverted, no_node};
   }
 
   std::uint32_t add_node(Op op, std::uint32_t parent, std::uint32_t children) {

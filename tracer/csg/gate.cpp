@@ -11,7 +11,7 @@ bool meets(const Solid& solid, const RayQuery& query) {
   SweepState& state = *query.sweep;
   if (solid_contains(solid, query.ray.o, state)) return true;
   Sweep sweep(solid, state, state.gates);
-  if (!sweep.begin(query.ray, t_min, no_hit_depth)) return false;
+  if (!sweep.begin(query.ray, t_min, no_hit_depth, 0)) return false;
   return sweep.walk(t_min, no_hit_depth,
                     [](const SolidLeaf& /*leaf*/, const Crossing& /*crossing*/) { return true; });
 }
@@ -47,6 +47,19 @@ bool gate_open(std::uint32_t gate, const RayQuery& query) {
     }
   }
   return true;
+}
+
+Bounds3 gate_bounds(const Parts& parts, std::uint32_t gate) {
+  Bounds3 all = Bounds3::everything();
+  for (auto g = gate; g != scene::none; g = parts.gates[g].outer) {
+    all = all.intersection(parts.gates[g].box);
+    for (const std::uint32_t solid : parts.gates[g].solids) {
+      Bounds3 one = parts.solids[solid].surface;
+      one.add(parts.solids[solid].inside);
+      all = all.intersection(one);
+    }
+  }
+  return all;
 }
 
 bool gate_holds(const Parts& parts, std::uint32_t gate, const Bounds3& box) {

@@ -14,13 +14,14 @@ void Sweep::flip(std::uint32_t leaf) {
   }
 }
 
-bool Sweep::begin(const Ray& ray, double t_from, double t_to) {
+bool Sweep::begin(const Ray& ray, double t_from, double t_to, std::uint8_t who) {
   b_.crossings.clear();
   if (!BoxTree::clip(solid_.surface, ray.o, 1.0 / ray.d, t_from, t_to)) return false;
   const std::size_t slots = solid_.stores.size();
   for (std::size_t s = 0; s < slots; ++s) b_.asked[s].clear();
-  for (const std::uint32_t leaf : solid_.endless) ask(leaf);
-  solid_.boxes.along(ray, t_from, t_to, [&](std::uint32_t box) { ask(solid_.leaf_of_box[box]); });
+  for (const std::uint32_t leaf : solid_.endless) ask(leaf, who);
+  solid_.boxes.along(ray, t_from, t_to,
+                     [&](std::uint32_t box) { ask(solid_.leaf_of_box[box], who); });
   b_.begun.clear();
   for (std::size_t s = 0; s < slots; ++s) {
     if (!b_.asked[s].empty()) solid_.stores[s]->crossings(b_.asked[s], ray, b_.crossings, b_.begun);

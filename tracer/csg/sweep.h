@@ -28,9 +28,10 @@ class Sweep {
   Sweep(const Sweep&) = delete;
   Sweep& operator=(const Sweep&) = delete;
 
-  /// Collects and sorts the crossings that matter in t_from…t_to. Leaves whose boxes the line does
-  /// not meet there cannot change in between. False if nothing can be seen there.
-  bool begin(const Ray& ray, double t_from, double t_to);
+  /// Collects and sorts the crossings that matter in t_from…t_to to rays of this Visibility; 0: to
+  /// all. Leaves whose boxes the line does not meet there cannot change in between. False if nothing
+  /// can be seen there.
+  bool begin(const Ray& ray, double t_from, double t_to, std::uint8_t who);
 
   /// Sets the bits of leaves that hold `p`, one by one.
   void place(dvec3 p);
@@ -59,8 +60,9 @@ class Sweep {
   }
 
  private:
-  void ask(std::uint32_t leaf) {
+  void ask(std::uint32_t leaf, std::uint8_t who) {
     const SolidLeaf& l = solid_.leaves[leaf];
+    if ((l.absent_for & who) != 0) return;
     b_.asked[l.slot].push_back({leaf, l.shape});
   }
   [[nodiscard]] bool leaf_value(std::uint32_t leaf) const {

@@ -24,7 +24,7 @@ std::uint32_t seed(double x, double y, std::uint32_t index) {
 Viewpoint::Viewpoint(const CompiledScene& s, const RenderOptions& o)
     : scene(&s), options(&o), camera(s.scene->camera), lens(*s.scene), bumps(s.scene->settings) {
   const scene::Camera& c = s.scene->camera;
-  if (c.normal->pattern.exists()) bump = bumps.add(*c.normal, {});
+  if (c.normal->pattern->exists()) bump = bumps.add(*c.normal, {});
   const bool flat = c.kind == scene::Camera::Kind::perspective;
   one_origin = camera.type->one_origin && !(flat && lens.blurs());
   if (c.kind == scene::Camera::Kind::mesh_camera) {
@@ -82,7 +82,7 @@ Pixel Eye::through_lens(double x, double y, std::uint32_t index, int sample) {
   return look_along(ray, x, y, index * 4099 + static_cast<std::uint32_t>(sample));
 }
 
-Pixel Eye::look_along(CameraRay ray, double x, double y, std::uint32_t index) {
+Pixel Eye::look_along(const CameraRay& ray, double x, double y, std::uint32_t index) {
   scratch_.noise = seed(x, y, index);
   Path path;
   path.ray = {ray.ray.o, glm::normalize(ray.ray.d)};

@@ -22,13 +22,16 @@ struct Viewpoint {
   bool one_origin = true;  // all rays start where the camera is
   int turns = 1;           // rays per sample
   double reach = no_hit_depth;
+  const PhotonMaps* photons = nullptr;  // once they are shot
 };
 
 /// Looks, on behalf of one thread.
 class Eye {
  public:
   explicit Eye(const Viewpoint& view)
-      : view_(&view), scratch_(*view.scene), tracer_(*view.scene, scratch_, view.options->alpha) {}
+      : view_(&view), scratch_(*view.scene), tracer_(*view.scene, scratch_, view.options->alpha) {
+    scratch_.photons = view.photons;
+  }
 
   /// The picture at (x, y), in pixels: whole numbers are centres. `index` tells the samples of a
   /// pixel apart.
@@ -46,7 +49,7 @@ class Eye {
   [[nodiscard]] bool camera_ray(double x, double y, int turn, CameraRay& out);
   Pixel plain(double x, double y, std::uint32_t index);
   [[nodiscard]] Pixel through_lens(double x, double y, std::uint32_t index, int sample);
-  [[nodiscard]] Pixel look_along(CameraRay ray, double x, double y, std::uint32_t index);
+  [[nodiscard]] Pixel look_along(const CameraRay& ray, double x, double y, std::uint32_t index);
   [[nodiscard]] Containment around(dvec3 p);
 
   const Viewpoint* view_;

@@ -10,6 +10,7 @@
 #include "tracer/film/pretrace.h"
 #include "tracer/film/progress.h"
 #include "tracer/film/threads.h"
+#include "tracer/transport/photon_shooting.h"
 
 namespace durer::tracer {
 namespace {
@@ -176,7 +177,10 @@ RenderResult render(const CompiledScene& scene, const RenderOptions& options,
     if (!done || !(*done)[i]) pixels += pixels_of(blocks[i]);
   }
   ProgressMeter meter(pixels, on_progress, cancel);
-  render_blocks(Viewpoint(scene, options), blocks, threads, meter, image, done);
+  const PhotonMaps photons = shoot_photons(scene, threads, meter, result.warning);
+  Viewpoint view(scene, options);
+  view.photons = &photons;
+  render_blocks(view, blocks, threads, meter, image, done);
   result.final = meter.now();
   result.cancelled = meter.cancelled();
   if (checkpoint && !result.cancelled) result.image = std::move(checkpoint->image);
@@ -184,7 +188,7 @@ RenderResult render(const CompiledScene& scene, const RenderOptions& options,
 }
 
 void report_events(const CompiledScene& scene, Diagnostics& diagnostics) {
-  const std::vector<scene::Origin>& origins = scene.scene->origins;
+  const auto& origins = scene.scene->origins;
   for (Geometry::Doubt& doubt : scene.geometry.doubts()) {
     Diagnostic d;
     d.severity = Severity::warning;

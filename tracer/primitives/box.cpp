@@ -10,7 +10,6 @@ struct Box {
   dvec3 corner1{0.0};
   dvec3 corner2{1.0};
 
-  static constexpr bool lacks_uv = true;
   static constexpr std::array params{
       positional<&Box::corner1>("corner1", "one corner"),
       positional<&Box::corner2>("corner2", "the opposite corner"),
@@ -37,6 +36,19 @@ struct Box::Slabs {
     dvec3 n(0.0);
     n[static_cast<int>(part >> 1U)] = (part & 1U) != 0 ? 1 : -1;
     return n;
+  }
+
+  // The faces of a cross-shaped sheet, four parts wide and three high (objects §14).
+  [[nodiscard]] dvec2 uv(dvec3 p, std::uint32_t part) const {
+    const dvec3 s = (p - lo) / (hi - lo);
+    switch (part) {
+      case 0: return {s.z / 4, (1 + s.y) / 3};
+      case 1: return {(3 - s.z) / 4, (1 + s.y) / 3};
+      case 2: return {(1 + s.x) / 4, s.z / 3};
+      case 3: return {(1 + s.x) / 4, 1 - s.z / 3};
+      case 4: return {1 - s.x / 4, (1 + s.y) / 3};
+      default: return {(1 + s.x) / 4, (1 + s.y) / 3};
+    }
   }
 
   /// A box moves into the world if its sides stay along the axes.

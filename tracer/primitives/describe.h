@@ -29,7 +29,9 @@ struct PrimitiveType : scene::TypeInfo {
   /// inside (radius 0 and the like).
   std::optional<ShapeRef> (*place)(TypeStores& stores, std::span<const double> args,
                                    const Transform& to_world, bool inverted) = nullptr;
-  /// The same for an object that is more than its operands (a mesh, functions), and examples of
+  /// The same, with surface coordinates that turn with it; null if `place` does that.
+  decltype(place) place_for_uv = nullptr;
+  /// The same as `place` for an object that is more than its operands (a mesh, functions), and examples of
   /// such; null for all others.
   std::optional<ShapeRef> (*place_whole)(TypeStores& stores, const scene::Object& object,
                                          const Surroundings& around, const Transform& to_world,
@@ -43,15 +45,17 @@ struct PrimitiveType : scene::TypeInfo {
   double hit_tolerance = 1e-12;
 };
 
-/// Places an object that is a primitive, whatever its operands are.
+/// Places an object that is a primitive, whatever its operands are. `by_uv`: its surface coordinates
+/// count.
 inline std::optional<ShapeRef> place_object(const PrimitiveType& type, TypeStores& stores,
                                             const scene::Object& object,
                                             const Surroundings& around, const Transform& to_world,
-                                            bool inverted) {
+                                            bool inverted, bool by_uv = false) {
   if (type.place_whole != nullptr) {
     return type.place_whole(stores, object, around, to_world, inverted);
   }
-  return type.place(stores, {object.args.data(), object.args.size()}, to_world, inverted);
+  const auto place = by_uv && type.place_for_uv != nullptr ? type.place_for_uv : type.place;
+  return place(stores, {object.args.data(), object.args.size()}, to_world, inverted);
 }
 
 /// One operand as a member of P.
@@ -154,7 +158,6 @@ constexpr auto flag(std::string_view name, std::string_view doc) {
 ///   static constexpr std::array params{positional<&P::x>("x", "what it is"), …};
 ///   static std::vector<P> samples();
 ///   std::optional<std::string> problem() const;         optional: what is wrong with the operands
-///   static constexpr bool lacks_uv = true;              optional: see TypeInfo
 ///   std::optional<std::string> doubt() const;           optional: what deserves a warning
 /// and either is a Shape itself or has
 ///   std::optional<Framed<Shape>> shape() const;         none: nothing to see
@@ -169,7 +172,6 @@ constexpr PrimitiveType describe(std::string_view name, std::string_view doc) {
       return detail::from_args<P>(args).problem();
     };
   }
-  if constexpr (requires { P::lacks_uv; }) type.lacks_uv = P::lacks_uv;
   if constexpr (requires(const P& p) { p.doubt(); }) {
     type.doubt = [](std::span<const double> args) { return detail::from_args<P>(args).doubt(); };
   }
@@ -188,6 +190,13 @@ constexpr PrimitiveType describe(std::string_view name, std::string_view doc) {
                     bool inverted) -> std::optional<ShapeRef> {
       return place_shape(stores, detail::from_args<P>(args), to_world, inverted);
     };
+    if constexpr (requires { P::uv_turns; }) {
+      type.place_for_uv = [](TypeStores& stores, std::span<const double> args,
+                             const Transform& to_world,
+                             bool inverted) -> std::optional<ShapeRef> {
+        return place_shape(stores, detail::from_args<P>(args), to_world, inverted, true);
+      };
+    }
   }
   type.samples = [] {
     std::vector<std::vector<double>> all;

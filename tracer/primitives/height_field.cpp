@@ -134,7 +134,9 @@ struct HeightFieldShape {
             return on = cell(i, j, a, b, f);
           },
           [&](double t, bool below) {
-            return on = turn(below ? Side3::below : Side3::above, t, part_at(t), seen_any(), f);
+            const bool seen = seen_any();
+            const Side3 now = below ? Side3::below : Side3::above;
+            return on = now == side || turn(now, t, part_at(t), seen, f);
           });
       if (on && whole) turn(Side3::above, t_out, 0, false, f);
     }

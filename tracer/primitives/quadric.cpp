@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/roots/quadratic.h"
 #include "tracer/primitives/describe.h"
@@ -56,6 +58,42 @@ struct Quadric {
     const dvec3 half(std::sqrt(level / squares.x), std::sqrt(level / squares.y),
                      std::sqrt(level / squares.z));
     return {centre - half, centre + half};
+  }
+  /// Without mixed terms, each coordinate is bounded by what the others can be at least.
+  [[nodiscard]] Bounds3 inside_within(Bounds3 box) const {
+    if (products != dvec3(0.0)) return box;
+    for (int i = 0; i < 3; ++i) {
+      const double rest =
+          constant + least(box, (i + 1) % 3) + least(box, (i + 2) % 3);  // -infinity: unbounded
+      const double a = squares[i];
+      const double b = linear[i];
+      if (!std::isfinite(rest) || a < 0 || (a == 0 && b == 0)) continue;
+      if (a == 0) {
+        (b > 0 ? box.hi : box.lo)[i] =
+            b > 0 ? std::min(box.hi[i], -rest / b) : std::max(box.lo[i], -rest / b);
+        continue;
+      }
+      const double under_root = b * b - 4 * a * rest;
+      if (!(under_root >= 0)) return {};
+      const double half = std::sqrt(under_root) / (2 * a);
+      box.lo[i] = std::max(box.lo[i], -b / (2 * a) - half);
+      box.hi[i] = std::min(box.hi[i], -b / (2 * a) + half);
+    }
+    return box;
+  }
+  /// The least of a x² + b x along one side of the box.
+  [[nodiscard]] double least(const Bounds3& box, int i) const {
+    const double a = squares[i];
+    const double b = linear[i];
+    const auto at = [&](double x) {
+      if (std::abs(x) < unbounded) return x * (a * x + b);
+      const double slope = a != 0 ? a : x > 0 ? b : -b;
+      return slope == 0 ? 0 : std::copysign(std::numeric_limits<double>::infinity(), slope);
+    };
+    double best = std::min(at(box.lo[i]), at(box.hi[i]));
+    const double turn = -b / (2 * a);
+    if (a > 0 && turn > box.lo[i] && turn < box.hi[i]) best = std::min(best, at(turn));
+    return best;
   }
   [[nodiscard]] bool contains(dvec3 p) const { return value(p) <= 0; }
   [[nodiscard]] dvec3 normal(dvec3 p, std::uint32_t /*part*/) const {

@@ -64,57 +64,47 @@ struct Sor {
     return {u, (i + place_in(segments[i], p.y)) / static_cast<double>(segments.size())};
   }
 
-  /// Calls f(crossing) for every crossing, ascending, until it returns false.
+  /// Calls f(crossing) for every crossing in t_from…t_to, and perhaps some others, ascending, until
+  /// it returns false.
   template <typename F>
-  void each_crossing(const Ray& ray, F&& f) const {
+  void each_crossing(const Ray& ray, double t_from, double t_to, F&& f) const {
     const LineAroundY line(ray);
-    constexpr double endless = std::numeric_limits<double>::infinity();
-    // The piece of the line that is as near to the axis as the widest place.
-    const double reach2 = widest2 * (1 + 1e-9) - line.near2;
-    if (!(reach2 > 0)) return;
-    const double reach = line.across2 > 0 ? std::sqrt(reach2 / line.across2) : endless;
-    if (line.up == 0 || (line.level() && std::abs(line.up) * reach < 1e-9 * (high() - low()))) {
-      each_level_crossing(line, reach, f);
-      return;
-    }
-    const bool climbs = line.up > 0;
-    const double s_in = std::max((climbs ? low() - line.y : high() - line.y) / line.up, -reach);
-    const double s_out = std::min((climbs ? high() - line.y : low() - line.y) / line.up, reach);
-    if (!(s_in < s_out)) return;
+    const Stretch all = stretch(line);
+    if (all.level) each_level_crossing(line, all.s_out, f);
+    bool known = false;  // whether the line is inside, which no segment before t_from was asked
     bool inside = false;
     const auto emit = [&](double s, std::uint32_t part, bool visible) {
       inside = !inside;
       return f(Crossing{line.middle + s, 0, part, inside ? Side::enter : Side::exit, visible});
     };
-    const std::size_t n = segments.size();
-    for (std::size_t k = 0; k < n; ++k) {
-      const std::size_t i = climbs ? k : n - 1 - k;
-      const Segment& segment = segments[i];
-      const double s_enter = ((climbs ? segment.low : segment.high) - line.y) / line.up;
-      const double s_leave = ((climbs ? segment.high : segment.low) - line.y) / line.up;
-      const double a = std::max(s_enter, s_in);
-      const double b = std::min(s_leave, s_out);
-      if (!(a < b)) continue;
-      const Bernstein<3> gap =
-          excess(segment, line, a, b, a > s_enter, b < s_leave, s_enter, s_leave);
-      if (a == s_in && !(gap[0] < 0)) {  // the line comes through an end
-        if (!emit(a, climbs ? bottom : top, sees_end(climbs ? bottom : top))) return;
+    const bool done = each_segment(line, all, [&](std::size_t i, double s_enter, double s_leave) {
+      const double a = std::max(s_enter, all.s_in);
+      const double b = std::min(s_leave, all.s_out);
+      if (!(a < b) || line.middle + b < t_from) return true;
+      if (line.middle + a > t_to) return false;
+      const Bernstein<3> gap = excess(segments[i], line, a, b, s_enter, s_leave);
+      if (!known && !(gap[0] < 0)) {
+        inside = a > all.s_in;  // or it comes through an end
+        if (!inside && !emit(a, all.first_end, sees_end(all.first_end))) return false;
       }
+      known = true;
       for (const double w : sign_changes<3>(gap)) {
-        if (!emit(a + (b - a) * w, static_cast<std::uint32_t>(i) + first_segment, true)) return;
+        if (!emit(a + (b - a) * w, static_cast<std::uint32_t>(i) + first_segment, true)) return false;
       }
-    }
-    if (inside) emit(s_out, climbs ? top : bottom, sees_end(climbs ? top : bottom));
+      return true;
+    });
+    if (done && inside) emit(all.s_out, all.last_end, sees_end(all.last_end));
   }
   void crossings(const Ray& ray, Crossings& out) const {
-    each_crossing(ray, [&](const Crossing& c) {
+    constexpr double endless = std::numeric_limits<double>::infinity();
+    each_crossing(ray, -endless, endless, [&](const Crossing& c) {
       out.push_back(c);
       return true;
     });
   }
   [[nodiscard]] std::optional<Nearest> nearest(const Ray& ray, double t_from, double t_to) const {
     std::optional<Nearest> best;
-    each_crossing(ray, [&](const Crossing& c) {
+    each_crossing(ray, t_from, t_to, [&](const Crossing& c) {
       if (!(c.t < t_to)) return false;
       if (!c.visible || !(c.t >= t_from)) return true;
       best = Nearest{c.t, c.part};
@@ -122,8 +112,66 @@ struct Sor {
     });
     return best;
   }
+  /// Some crossing in the range.
+  [[nodiscard]] std::optional<Nearest> any(const Ray& ray, double t_from, double t_to) const {
+    const LineAroundY line(ray);
+    const Stretch all = stretch(line);
+    if (all.level) return nearest(ray, t_from, t_to);
+    const double s_from = std::max(t_from - line.middle, all.s_in);
+    const double s_to = std::min(t_to - line.middle, all.s_out);
+    const bool none = each_segment(line, all, [&](std::size_t i, double s_enter, double s_leave) {
+      const double a = std::max(s_enter, s_from);
+      const double b = std::min(s_leave, s_to);
+      if (!(a < b)) return true;
+      const Bernstein<3> gap = excess(segments[i], line, a, b, s_enter, s_leave);
+      if (a == all.s_in && !(gap[0] < 0) && sees_end(all.first_end)) return false;
+      if (b == all.s_out && !(gap[3] < 0) && sees_end(all.last_end)) return false;
+      return !has_sign_change<3>(gap);
+    });
+    if (none) return std::nullopt;
+    return Nearest{t_from, 0};
+  }
 
  private:
+  /// What of a line is as high as the curve, and as near to the axis as its widest place.
+  struct Stretch {
+    double s_in = 0;  // the line is elsewhere if s_in >= s_out
+    double s_out = 0;
+    std::uint32_t first_end = bottom;
+    std::uint32_t last_end = top;
+    bool level = false;  // the height does not change: then s_out is the reach to both sides
+  };
+  [[nodiscard]] Stretch stretch(const LineAroundY& line) const {
+    constexpr double endless = std::numeric_limits<double>::infinity();
+    const double reach2 = widest2 * (1 + 1e-9) - line.near2;
+    if (!(reach2 > 0)) return {};
+    const double reach = line.across2 > 0 ? std::sqrt(reach2 / line.across2) : endless;
+    if (line.up == 0 || (line.level() && std::abs(line.up) * reach < 1e-9 * (high() - low()))) {
+      return {reach, reach, bottom, top, true};
+    }
+    const bool climbs = line.up > 0;
+    return {std::max((climbs ? low() - line.y : high() - line.y) / line.up, -reach),
+            std::min((climbs ? high() - line.y : low() - line.y) / line.up, reach),
+            climbs ? bottom : top, climbs ? top : bottom, false};
+  }
+
+  /// Calls f(segment, where the line enters its heights, where it leaves them) in the line's order,
+  /// until it returns false; then the result is false.
+  template <typename F>
+  [[nodiscard]] bool each_segment(const LineAroundY& line, const Stretch& all, F&& f) const {
+    if (!(all.s_in < all.s_out)) return true;
+    const bool climbs = line.up > 0;
+    const std::size_t n = segments.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t i = climbs ? k : n - 1 - k;
+      const Segment& segment = segments[i];
+      const double s_enter = ((climbs ? segment.low : segment.high) - line.y) / line.up;
+      const double s_leave = ((climbs ? segment.high : segment.low) - line.y) / line.up;
+      if (!f(i, s_enter, s_leave)) return false;
+    }
+    return true;
+  }
+
   [[nodiscard]] bool sees_end(std::uint32_t end) const {
     const double radius2 = end == bottom ? segments.front().radius2[0] : segments.back().radius2[3];
     return !open && radius2 > 1e-4;
@@ -132,10 +180,10 @@ struct Sor {
   /// By how much the surface is farther from the axis than the line, squared, over the piece [a, b]
   /// of the line. At the heights of the points it has the same value for both neighbours.
   static Bernstein<3> excess(const Segment& segment, const LineAroundY& line, double a, double b,
-                             bool clipped_in, bool clipped_out, double s_enter, double s_leave) {
+                             double s_enter, double s_leave) {
     Bernstein<3> radius2 = segment.radius2;
     if (line.up < 0) std::swap(radius2[0], radius2[3]), std::swap(radius2[1], radius2[2]);
-    if (clipped_in || clipped_out) {
+    if (a > s_enter || b < s_leave) {
       const double size = s_leave - s_enter;
       radius2 = restricted<3>(radius2, (a - s_enter) / size, (b - s_enter) / size);
     }

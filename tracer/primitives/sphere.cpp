@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "tracer/primitives/around_axis.h"
 #include "tracer/primitives/describe.h"
 
 namespace durer::tracer {
@@ -23,13 +26,13 @@ struct Sphere {
   dvec3 center{0.0};
   double radius = 1;
 
-  static constexpr bool lacks_uv = true;
   static constexpr std::array params{
       positional<&Sphere::center>("center", "centre of the ball"),
       positional<&Sphere::radius>("radius", "radius of the ball; any sign, 0 is invisible"),
   };
   static constexpr bool convex = true;
   static constexpr double far = t_far;
+  static constexpr bool uv_turns = true;
 
   static std::vector<Sphere> samples() {
     return {{dvec3(0.0), 1}, {{1, 2, 3}, 2}, {{-3, 0.5, 2}, -0.25}, {{1e4, 0, 0}, 3}};
@@ -45,6 +48,10 @@ struct Sphere {
   }
   [[nodiscard]] dvec3 normal(dvec3 p, std::uint32_t /*part*/) const {
     return (p - center) / radius;
+  }
+  [[nodiscard]] dvec2 uv(dvec3 p, std::uint32_t /*part*/) const {
+    const dvec3 d = glm::normalize(p - center);
+    return {turn_around_y(d), 0.5 + std::asin(std::clamp(d.y, -1.0, 1.0)) / std::numbers::pi};
   }
 
   [[nodiscard]] std::optional<Sphere> moved(const Transform& m) const {

@@ -24,6 +24,7 @@ enum Visibility : std::uint8_t {
   casts_shadow = 4,
   blocks_light = 8,  // casts shadow and is opaque: no light passes at all
   seen_by_gathering = 16,
+  seen_by_transmission = 32,
 };
 
 /// What hangs on a primitive besides its shape. Read only after the shape was hit.
@@ -60,11 +61,11 @@ class Targets {
 /// Textures that a part of an object brings, each with its share of the point.
 struct TextureBlend {
   struct Part {
-    std::uint32_t texture = 0;  // index into the textures of the object; scene::none: its own
-    float weight = 0;
+    std::uint32_t texture;  // index into the textures of the object; scene::none: its own
+    float weight;
   };
   static constexpr std::uint32_t most = 16;
-  std::array<Part, most> parts;
+  std::array<Part, most> parts;  // not set beyond `count`: every hit makes one of these
   std::uint32_t count = 0;  // 0: the part looks like the object
 
   /// What there is no room for is left out; blobs have few components in one place.
@@ -78,6 +79,8 @@ class Store : public Targets {
  public:
   /// World box of the inside: everything, for half-spaces.
   [[nodiscard]] virtual Bounds3 inside_bounds(std::uint32_t index) const = 0;
+  /// Where the inside can be within `box`: all of the box, if nothing better is known.
+  [[nodiscard]] virtual Bounds3 inside_within(std::uint32_t index, const Bounds3& box) const = 0;
   [[nodiscard]] virtual bool contains(std::uint32_t index, dvec3 p) const = 0;
   /// World unit normal at the world point `p`, outward (of the primitive before any inversion).
   [[nodiscard]] virtual dvec3 normal(std::uint32_t index, dvec3 p, std::uint32_t part) const = 0;

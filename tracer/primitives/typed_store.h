@@ -7,11 +7,13 @@
 // and optionally
 //   bool begins_inside(const Ray&) const;                 unbounded inside: state at t = -infinity
 //   Bounds3 inside_bounds() const;                        if it is not bounds()
+//   Bounds3 inside_within(const Bounds3&) const;          unbounded inside: its part in a box
 //   std::optional<Shape> moved(const Transform&) const;   the shape in another space, if it has one
 //   Shape flipped() const;                                the inverse, if it is such a shape too
 //   … nearest_of_unit(same as nearest) const;             faster where |d| = 1
 //   … any(same as nearest) const;                         some hit in the range, if that is faster
 //   dvec2 uv(dvec3 p, std::uint32_t part) const;          surface coordinates (objects §14)
+//   static constexpr bool uv_turns = true;                they need a space that turns with it
 //   TextureBlend textures(dvec3 p, std::uint32_t part) const;   looks of single parts
 //   std::pair<std::string, std::string> doubt() const;    see Store::doubt
 //   static constexpr bool convex = true;
@@ -22,6 +24,7 @@
 #include <glm/geometric.hpp>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "base/transform.h"
 #include "tracer/primitives/store.h"
@@ -75,6 +78,7 @@ struct Baked {
   [[nodiscard]] dvec3 to_object(dvec3 p) const { return p; }
   [[nodiscard]] dvec3 normal_to_world(dvec3 n) const { return n; }
   [[nodiscard]] Bounds3 to_world(const Bounds3& b) const { return b; }
+  [[nodiscard]] std::pair<Affine, Affine> maps() const { return {}; }
 };
 
 /// A shape in a space of its own. The ray's direction is not renormalised there, so that t stays
@@ -101,7 +105,14 @@ struct Placed {
     const auto forward = to_shape.inverse();
     return forward ? b.transformed(*forward) : Bounds3{};
   }
+  /// To the shape's space, and back.
+  [[nodiscard]] std::pair<Affine, Affine> maps() const {
+    return {to_shape, to_shape.inverse().value_or(Affine())};
+  }
 };
+
+/// A box that may be unbounded on some sides only, around what it becomes in another space.
+[[nodiscard]] Bounds3 through(const Bounds3& box, const Affine& map);
 
 template <template <Shape> typename Placement, Shape S>
 class TypedStore final : public Store {
@@ -124,6 +135,14 @@ class TypedStore final : public Store {
       return items_[index].to_world(items_[index].shape.inside_bounds());
     } else {
       return surface_bounds(index);
+    }
+  }
+  [[nodiscard]] Bounds3 inside_within(std::uint32_t index, const Bounds3& box) const override {
+    if constexpr (requires(const S& s) { s.inside_within(box); }) {
+      const auto [to_object, to_world] = items_[index].maps();
+      return through(items_[index].shape.inside_within(through(box, to_object)), to_world);
+    } else {
+      return box;
     }
   }
   [[nodiscard]] bool contains(std::uint32_t index, dvec3 p) const override {
@@ -204,15 +223,17 @@ TypeStores make_type_stores() {
   return {std::make_unique<TypedStore<Baked, S>>(), std::make_unique<TypedStore<Placed, S>>()};
 }
 
-/// Puts a shape where it is fastest: into world space if it can move there.
+/// Puts a shape where it is fastest: into world space if it can move there, and need not keep a
+/// space of its own.
 template <Shape S>
-ShapeRef place_shape(TypeStores& stores, S shape, const Transform& to_world, bool inverted) {
+ShapeRef place_shape(TypeStores& stores, S shape, const Transform& to_world, bool inverted,
+                     bool keeps_space = false) {
   if constexpr (requires { shape.flipped(); }) {
     if (inverted) shape = shape.flipped();
     inverted = false;
   }
   if constexpr (requires { shape.moved(to_world); }) {
-    if (const std::optional<S> moved = shape.moved(to_world)) {
+    if (const auto moved = keeps_space ? std::nullopt : shape.moved(to_world)) {
       auto& store = static_cast<TypedStore<Baked, S>&>(*stores.baked);
       return {&store, store.add({*moved}), inverted};
     }

@@ -13,9 +13,9 @@ bool black(vec3 c) { return c == vec3(0.0F); }
 
 // A rough order of what patterns cost: noise in them, or before them.
 int cost(const scene::Pigment& d) {
-  int sum = static_cast<int>(d.pattern.warps.size());
-  if (d.pattern.function || d.pattern.pigment) sum += 4;
-  const std::string_view name = pattern_types()[d.pattern.type]->name;
+  int sum = static_cast<int>(d.pattern->warps.size());
+  if (d.pattern->function || d.pattern->pigment) sum += 4;
+  const std::string_view name = pattern_types()[d.pattern->type]->name;
   for (const std::string_view cheap :
        {"spherical", "planar", "cylindrical", "boxed", "gradient", "onion", "radial"}) {
     if (name == cheap) return sum;
@@ -47,7 +47,7 @@ MediaProgram compile(const scene::Media& in) {
   out.scatters = !black(in.scattering);
   out.dims = !black(in.absorption) || out.scatters;
   out.has_density = !in.densities.empty();
-  out.constant = in.densities.empty() || !in.densities.back().pattern.exists();
+  out.constant = in.densities.empty() || !in.densities.back().pattern->exists();
   out.method = in.method;
   out.intervals = in.intervals;
   out.min_samples = in.min_samples;
@@ -68,7 +68,7 @@ MediaRange MediaStore::add(std::span<const scene::Media> media, const Transform&
     MediaProgram program = compile(m);
     std::vector<const scene::Pigment*> patterned;
     for (const scene::Pigment& d : m.densities) {
-      if (d.pattern.exists()) {
+      if (d.pattern->exists()) {
         patterned.push_back(&d);
       } else {
         program.density *= d.colour.rgb;

@@ -42,8 +42,8 @@ NormalId NormalStore::add(const scene::Normal& normal, const Transform& to_world
   Node node;
   node.by_uv = normal.uv_mapping;
   const Transform placed = node.by_uv ? Transform{} : to_world;
-  node.pattern = patterns_.compile(normal.pattern, placed);
-  node.frame = NormalFrame(normal.pattern, placed, normal.no_bump_scale);
+  node.pattern = patterns_.compile(*normal.pattern, placed);
+  node.frame = NormalFrame(*normal.pattern, placed, normal.no_bump_scale);
   node.amount = normal.amount;
   node.accuracy = normal.accuracy;
   node.first_entry = static_cast<std::uint32_t>(entries_.size());

@@ -32,8 +32,8 @@ PigmentId PigmentStore::add(const scene::Pigment& pigment, const Transform& to_w
   node.colour = quick ? pigment.quick_colour : pigment.colour;
   const auto id = static_cast<PigmentId>(nodes_.size());
   nodes_.push_back(node);
-  if (quick || !pigment.pattern.exists()) return id;
-  if (pigment.entries.empty() && pigment.pattern.image == nullptr) return id;
+  if (quick || !pigment.pattern->exists()) return id;
+  if (pigment.entries.empty() && pigment.pattern->image == nullptr) return id;
 
   std::vector<Entry> entries;
   for (const scene::PigmentEntry& e : pigment.entries) {
@@ -43,7 +43,7 @@ PigmentId PigmentStore::add(const scene::Pigment& pigment, const Transform& to_w
     entries.push_back({e.key, child, e.colour});
   }
   node.by_uv = pigment.uv_mapping;
-  node.pattern = patterns_.compile(pigment.pattern, node.by_uv ? Transform{} : to_world);
+  node.pattern = patterns_.compile(*pigment.pattern, node.by_uv ? Transform{} : to_world);
   node.first_entry = static_cast<std::uint32_t>(entries_.size());
   entries_.insert(entries_.end(), entries.begin(), entries.end());
   node.end_entry = static_cast<std::uint32_t>(entries_.size());

@@ -17,8 +17,8 @@ scene::Pigment along_x(const std::vector<scene::PigmentEntry>& entries) {
     return i->name == "gradient";
   });
   scene::Pigment p;
-  p.pattern.type = static_cast<std::uint32_t>(gradient - types.begin());
-  p.pattern.args = {1, 0, 0};
+  p.pattern.edit().type = static_cast<std::uint32_t>(gradient - types.begin());
+  p.pattern.edit().args = {1, 0, 0};
   p.entries = entries;
   return p;
 }

@@ -46,7 +46,7 @@ TextureProgram TextureStore::compile_layers(scene::TextureId id, const Transform
     out.finish = finish + static_cast<std::uint32_t>(i);
     out.pigment = pigments_.add(*layer.pigment, placement);
     program.uses_uv = program.uses_uv || scene::uses_uv(*layer.pigment);
-    if (quality_.normals && layer.normal->pattern.exists()) {
+    if (quality_.normals && layer.normal->pattern->exists()) {
       out.normal = normals_.add(*layer.normal, placement);
       program.uses_uv = program.uses_uv || scene::uses_uv(*layer.normal);
     }

@@ -1,6 +1,7 @@
 // Light that lamps throw onto a layer (shading §4.4-4.7).
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <new>
 
 #include "tracer/random.h"
 #include "tracer/transport/trace.h"
@@ -18,12 +19,13 @@ vec3 Tracer::illuminate(const View& view, const Path& path, const LayerPoint& la
     const bool hidden = is_behind(view, layer, lamp.in.l);
     if (hidden && !spread && layer.finish->diffuse_back == 0) continue;
     if (!lamp.shadow_known) {
-      lamp.shadowed = shadowed(light, lamp.in, view.p, path.inside, view.gathering);
+      lamp.shadowed =
+          shadowed(light, lamp.in, view.p, path.inside, {view.gathering, view.collects});
       lamp.shadow_known = true;
     }
     if (dark(lamp.shadowed)) continue;
     sum += spread ? shade_by_area(view, layer, light, lamp)
-                  : shade(view, layer, light, lamp, hidden);
+                  : shade(view, layer, {lamp.in.l, lamp.shadowed, !light.shadowless}, hidden);
   }
   return sum;
 }
@@ -39,10 +41,10 @@ void Tracer::find_lamps(const View& view) {
   for (const std::uint32_t i : scene_->geometry.lamp_sets()[view.lamps]) {
     if (!scene_->reaches[i].contains(view.p)) continue;
     const Light& light = scene_->lights[i];
-    Incidence in = incidence(light, view.p);
-    if (spreads(light, view)) in.colour = light.colour;  // its samples are weakened one by one
-    if (dark(in.colour)) continue;
-    scratch_->lamps[i] = {in, vec3(0.0F), false};
+    // Made in place: copying what was written just now in smaller pieces keeps a processor waiting.
+    LampAtPoint& lamp = *::new (&scratch_->lamps[i]) LampAtPoint{incidence(light, view.p)};
+    if (spreads(light, view)) lamp.in.colour = light.colour;  // its samples are weakened one by one
+    if (dark(lamp.in.colour)) continue;
     scratch_->lit.push_back(i);
   }
 }
@@ -65,16 +67,15 @@ vec3 Tracer::shade_by_area(const View& view, const LayerPoint& layer, const Ligh
       const bool hidden = is_behind(view, layer, sample.in.l);
       if (hidden && layer.finish->diffuse_back == 0) continue;
       sample.shadowed *= share * static_cast<float>(tracer::attenuation(light, sample.in, view.p));
-      sum += shade(view, layer, light, sample, hidden);
+      sum += shade(view, layer, {sample.in.l, sample.shadowed, !light.shadowless}, hidden);
     }
   }
   return sum;
 }
 
-vec3 Tracer::shade(const View& view, const LayerPoint& layer, const Light& light,
-                   const LampAtPoint& lamp, bool backside) {
+vec3 Tracer::shade(const View& view, const LayerPoint& layer, const Beam& beam, bool backside) {
   const Finish& f = *layer.finish;
-  const dvec3 l = lamp.in.l;
+  const dvec3 l = beam.l;
   const double cosine = glm::dot(layer.n, l);
   vec3 sum(0.0F);
   const float k = backside ? f.diffuse_back : f.diffuse;
@@ -83,10 +84,10 @@ vec3 Tracer::shade(const View& view, const LayerPoint& layer, const Light& light
     const double bright = f.brilliance == 1 ? c : std::pow(c, f.brilliance);
     float intensity = static_cast<float>(bright) * k * layer.opacity;
     if (f.crand > 0) intensity -= random_unit(scratch_->noise) * f.crand;
-    sum = intensity * layer.pigment * lamp.shadowed;
+    sum = intensity * layer.pigment * beam.light;
   }
-  if (f.highlights && !view.gathering && !backside && !light.shadowless) {
-    sum += highlight(f, view.d, layer.n, l, layer.pigment) * lamp.shadowed;
+  if (f.highlights && !view.gathering && !backside && beam.highlights) {
+    sum += highlight(f, view.d, layer.n, l, layer.pigment) * beam.light;
   }
   if (f.irid > 0) sum *= iridescence(f, view.p, cosine, glm::dot(layer.n, view.d));
   return sum;

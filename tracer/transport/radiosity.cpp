@@ -6,27 +6,10 @@
 #include <limits>
 #include <numbers>
 
+#include "tracer/random.h"
 #include "tracer/transport/trace.h"
 
 namespace durer::tracer {
-namespace {
-
-// Digits of `i` in a base, mirrored at the point: 0…1.
-double radical_inverse(std::uint32_t i, std::uint32_t base) {
-  double value = 0;
-  double digit = 1.0 / base;
-  for (; i > 0; i /= base, digit /= base) value += digit * (i % base);
-  return value;
-}
-
-std::uint32_t mixed(std::uint32_t h) {
-  h = (h ^ (h >> 16)) * 0x7FEB352DU;
-  h = (h ^ (h >> 15)) * 0x846CA68BU;
-  return h ^ (h >> 16);
-}
-
-}  // namespace
-
 std::vector<dvec3> cosine_directions(int count) {
   std::vector<dvec3> all;
   all.reserve(static_cast<std::size_t>(count));

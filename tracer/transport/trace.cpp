@@ -43,8 +43,9 @@ Radiance Tracer::follow(Path path, bool straight) {
     const Limits& limit = limits(path);
     if (path.level >= limit.max_level || path.weight < limit.adc) return {sum, 0};
     const RayKind kind = path.bounce > 0    ? RayKind::gathering
-                         : path.reflected ? RayKind::reflection
-                                          : RayKind::image;
+                         : path.reflected   ? RayKind::reflection
+                         : path.transmitted ? RayKind::transmission
+                                            : RayKind::image;
     Hit hit;
     ++scratch_->rays;
     const bool met =
@@ -117,11 +118,13 @@ Tracer::Look Tracer::look(const Hit& hit, dvec3 d) const {
   view.interior = hit.interior;
   view.lamps = s.lamps;
   view.double_illuminate = s.double_illuminate;
+  view.collects = s.photons.collects();
   view.depth = hit.t;
   // An interior texture hides those of single parts.
   if (s.has_parts && !(from_inside && s.inside != s.outside)) {
     found.blend = Geometry::part_textures(hit);
   }
+  if (s.cutaway) found.blend = scene_->geometry.cutaway_textures(hit, from_inside);
   dress(view, found, hit, found.blend.count == 1 ? found.blend.parts[0].texture : scene::none);
   return found;
 }
@@ -144,7 +147,8 @@ ProgramId Tracer::texture_at(const Hit& hit, const SurfaceProgram& surface, bool
 void Tracer::dress(View& view, const Look& look, const Hit& hit, std::uint32_t texture) const {
   const SurfaceProgram& s = *look.surface;
   if (texture != scene::none) {
-    view.texture = &scene_->textures.program(scene_->part_textures[s.first_part + texture]);
+    view.texture = &scene_->textures.program(
+        s.cutaway ? scene_->surfaces[texture].outside : scene_->part_textures[s.first_part + texture]);
     view.places = hit.depth;
   }
   view.q = hit.at(view.places);

@@ -62,3 +62,15 @@ TEST_CASE("chunked: iteration visits all in order", "[base][chunked]") {
   list.clear();
   CHECK(list.begin() == list.end());
 }
+
+TEST_CASE("chunked: it can be made longer and shorter", "[base][chunked]") {
+  Chunked<int, 2> list(3);
+  CHECK(list.size() == 3);
+  list.resize(9);
+  CHECK(list.size() == 9);
+  CHECK(list[8] == 0);
+  list.resize(4);
+  CHECK(list.size() == 4);
+  list.resize(0);
+  CHECK(list.empty());
+}

@@ -108,3 +108,21 @@ TEST_CASE("roots: coefficients that are not numbers have none", "[base][roots]")
 }
 
 }  // namespace durer
+
+TEST_CASE("roots: Descartes' bound is one, and even only where the roots are", "[base][roots]") {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> uniform(-2, 2);
+  for (int i = 0; i < 5000; ++i) {
+    std::array<double, 4> roots{};
+    for (double& r : roots) r = uniform(random);
+    const durer::Polynomial<4> p = durer::with_roots<4>(roots);
+    const double lo = uniform(random);
+    const double hi = lo + 0.1 + std::abs(uniform(random));
+    const auto inside = static_cast<int>(std::count_if(
+        roots.begin(), roots.end(), [&](double r) { return r > lo && r < hi; }));
+    const int most = durer::most_sign_changes<4>(p, lo, hi);
+    CAPTURE(i, lo, hi, inside);
+    REQUIRE(most >= inside);
+    REQUIRE((most - inside) % 2 == 0);
+  }
+}

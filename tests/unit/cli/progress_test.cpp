@@ -27,6 +27,7 @@ TEST_CASE("progress: counts and times read well", "[cli][progress]") {
   CHECK(count_text(2.414e6) == "2.41 M");
   CHECK(count_text(3.5e11) == "350 G");
   CHECK(time_text(0.0123) == "12 ms");
+  CHECK(time_text(0.4567) == "457 ms");
   CHECK(time_text(7.26) == "7.3 s");
   CHECK(time_text(65) == "1:05");
   CHECK(time_text(7384) == "2:03:04");

@@ -29,8 +29,16 @@ constexpr scene::TypeInfo cylinder = {"cylinder", "A rod.", cylinder_params, che
 constexpr scene::TypeInfo mesh = {"mesh", "Triangles.", {}};
 constexpr scene::TypeInfo isosurface = {"isosurface", "A function's zeros.", {}};
 constexpr scene::TypeInfo parametric = {"parametric", "A function's values.", {}};
-constexpr std::array<const scene::TypeInfo*, 6> primitives = {&sphere, &box,        &cylinder,
-                                                              &mesh,   &isosurface, &parametric};
+// What lists of points become; their types know what these mean.
+constexpr scene::TypeInfo lathe = {"lathe", "A turned curve.", {}};
+constexpr scene::TypeInfo prism = {"prism", "A pulled curve.", {}};
+constexpr scene::TypeInfo sor = {"sor", "Another turned curve.", {}};
+constexpr scene::TypeInfo sphere_sweep = {"sphere_sweep", "A ball on its way.", {}};
+constexpr scene::TypeInfo polygon = {"polygon", "A flat face.", {}};
+constexpr scene::TypeInfo bicubic_patch = {"bicubic_patch", "A bent face.", {}};
+constexpr std::array<const scene::TypeInfo*, 12> primitives = {
+    &sphere, &box,   &cylinder, &mesh,         &isosurface, &parametric,
+    &lathe,  &prism, &sor,      &sphere_sweep, &polygon,    &bicubic_patch};
 
 constexpr std::array gradient_params = {Param{"direction", ArgKind::vector, "direction"}};
 constexpr std::array<scene::MapEntry, 2> checker_map = {

@@ -184,10 +184,10 @@ TEST_CASE("functions: pigments hold the tapes of their patterns", "[interpreter]
     const scene::Object& o = r.scene->objects[r.scene->roots[i].object];
     return r.scene->textures[o.texture.texture].layers[0].pigment.get();
   };
-  REQUIRE(pigment(0).pattern.function);
+  REQUIRE(pigment(0).pattern->function);
   functions::Workspace w;
-  CHECK(functions::evaluate(*pigment(0).pattern.function, std::array{1.0, 2.0, 3.0}, w) == 4);
-  CHECK_FALSE(pigment(1).pattern.function);
+  CHECK(functions::evaluate(*pigment(0).pattern->function, std::array{1.0, 2.0, 3.0}, w) == 4);
+  CHECK_FALSE(pigment(1).pattern->function);
   CHECK(error("#declare P = pigment { function { internal(57) } }") ==
         "`internal` must be the whole body of a function");
 }

@@ -61,8 +61,8 @@ TEST_CASE("media: a name is a copy to be changed", "[interpreter][media]") {
 TEST_CASE("media: transformations move the densities before them", "[interpreter][media]") {
   const scene::Media m =
       media_of("scale 7 density { gradient x scale 2 } scale 3 density { gradient x }");
-  CHECK(m.densities[0].pattern.transform->forward.x.x == 6);
-  CHECK(m.densities[1].pattern.transform.is_identity());
+  CHECK(m.densities[0].pattern->transform->forward.x.x == 6);
+  CHECK(m.densities[1].pattern->transform.is_identity());
 }
 
 TEST_CASE("media: those of an interior move with their object", "[interpreter][media]") {
@@ -81,7 +81,7 @@ TEST_CASE("media: those of a material move with it", "[interpreter][media]") {
   const scene::Object& ball = r.scene->objects.back();
   CHECK(ball.extras->media_transform->forward.x.x == 3);
   const scene::Media& m = r.scene->interiors[ball.interior].media->at(0);
-  CHECK(m.densities[0].pattern.transform->forward.x.x == 2);
+  CHECK(m.densities[0].pattern->transform->forward.x.x == 2);
 }
 
 TEST_CASE("media: densities are black unless they say otherwise", "[interpreter][media]") {
@@ -90,7 +90,7 @@ TEST_CASE("media: densities are black unless they say otherwise", "[interpreter]
   const scene::Pigment map =
       media_of("density { gradient x density_map { [0 rgb 1] [1 gradient x scale 2] } }").densities[0];
   CHECK(map.entries.size() == 2);
-  CHECK(map.children[1].pattern.exists());
+  CHECK(map.children[1].pattern->exists());
 }
 
 TEST_CASE("media: what makes no sense is told", "[interpreter][media]") {

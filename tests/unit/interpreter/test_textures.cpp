@@ -14,7 +14,7 @@ scene::Texture texture_of(const std::string& items) {
   return r.scene->textures[r.scene->objects.back().texture.texture];
 }
 scene::Pattern pattern_of(const std::string& body) {
-  return texture_of("pigment { " + body + " }").layers.back().pigment->pattern;
+  return *texture_of("pigment { " + body + " }").layers.back().pigment->pattern;
 }
 scene::Normal normal_of(const std::string& body) {
   return *texture_of("normal { " + body + " }").layers.back().normal;
@@ -69,19 +69,19 @@ TEST_CASE("patterns: modifiers of the wrong kind are named", "[interpreter][text
 
 TEST_CASE("normals: amount, modifiers and maps", "[interpreter][textures]") {
   const scene::Normal n = normal_of("gradient x, 0.7 accuracy 0.01 scale 3");
-  CHECK(n.pattern.type == gradient);
+  CHECK(n.pattern->type == gradient);
   CHECK(n.amount == 0.7F);
   CHECK(n.accuracy == 0.01F);
-  CHECK(n.pattern.transform->forward.x.x == 3);
+  CHECK(n.pattern->transform->forward.x.x == 3);
 
   const scene::Normal list = normal_of("checker normal { gradient x } normal { gradient y 0.2 }");
-  CHECK(list.pattern.type == checker);
+  CHECK(list.pattern->type == checker);
   REQUIRE(list.children.size() == 2);
   CHECK(list.children[1].amount == 0.2F);
 
   const scene::Normal map =
       normal_of("average normal_map { [2 gradient x] [gradient y] } no_bump_scale");
-  CHECK(map.pattern.type == average);
+  CHECK(map.pattern->type == average);
   REQUIRE(map.entries.size() == 2);
   CHECK(map.entries[0].key == 2);
   CHECK(map.entries[1].key == 1);

@@ -104,7 +104,7 @@ TEST_CASE("dump: operands have the names of the registry", "[scene][dump]") {
   Scene scene;
   scene.objects.push_back(some_ball());
   Pigment pigment;
-  pigment.pattern.type = 0;
+  pigment.pattern.edit().type = 0;
   scene.sky_sphere = SkySphere{.pigments = {pigment}, .transform = {}};
   const Json json = json_of(scene);
   const Json& object = json["objects"][0];

@@ -42,7 +42,7 @@ TEST_CASE("flatten: a texture moves with what stands around its object", "[trace
   SceneBuilder b;
   b.scene.textures.resize(3);
   for (scene::Texture& t : b.scene.textures) {  // a plain colour would look the same everywhere
-    t.layers.emplace_back().pigment.edit().pattern.type = 0;
+    t.layers.emplace_back().pigment.edit().pattern.edit().type = 0;
   }
   scene::Object own = ball();
   own.texture = {1, Transform::scale(dvec3(2))};

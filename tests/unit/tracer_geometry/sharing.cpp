@@ -53,7 +53,7 @@ SceneBuilder crowd(std::uint64_t seed) {
   b.scene.textures.resize(4);
   for (scene::Texture& t : b.scene.textures) {
     t.layers.resize(1);
-    t.layers[0].pigment.edit().pattern.type = 0;  // has a place
+    t.layers[0].pigment.edit().pattern.edit().type = 0;  // has a place
   }
   b.scene.interiors.resize(2);
   const auto loose = random_contents(b, random, NodeKind::union_);

@@ -16,8 +16,8 @@ namespace {
 scene::Pigment function_pigment(FunctionBuilder& builder, functions::Value value) {
   const test::SceneBuilder names(registry());
   scene::Pigment pigment;
-  pigment.pattern.type = names.pattern("function");
-  pigment.pattern.function = std::make_shared<const functions::Function>(builder.finish(value));
+  pigment.pattern.edit().type = names.pattern("function");
+  pigment.pattern.edit().function = std::make_shared<const functions::Function>(builder.finish(value));
   pigment.entries = {{0, test::rgbft(0, 0, 0), scene::none},
                      {0.5F, test::rgbft(1, 2, 3), scene::none},
                      {1, test::rgbft(1, 1, 1, 0.5F, 0.25F), scene::none}};
@@ -49,10 +49,10 @@ TEST_CASE("function pattern: transforms, frequency, phase and wave follow",
           "[tracer][patterns][functions]") {
   FunctionBuilder b(3);
   scene::Pigment pigment = function_pigment(b, b.op(functions::Op::square, b.parameter(0)));
-  pigment.pattern.transform = Transform::scale(dvec3(2));
-  pigment.pattern.frequency = 3;
-  pigment.pattern.phase = 0.2F;
-  pigment.pattern.wave = scene::Wave::triangle;
+  pigment.pattern.edit().transform = Transform::scale(dvec3(2));
+  pigment.pattern.edit().frequency = 3;
+  pigment.pattern.edit().phase = 0.2F;
+  pigment.pattern.edit().wave = scene::Wave::triangle;
   const functions::Function f = pattern_of(pigment);
   CHECK(at(f, {0.3, 0.1, 0.1}) == Approx(0.535).epsilon(1e-6));
   CHECK(at(f, {-1.3, 1, 1}) == Approx(0.93498).epsilon(1e-6));

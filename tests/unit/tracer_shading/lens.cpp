@@ -32,8 +32,8 @@ TEST_CASE("lens: points fill a disc evenly", "[tracer][lens]") {
 TEST_CASE("lens: bokeh leaves dark parts of the lens out", "[tracer][lens]") {
   scene::Pigment p;
   const SceneBuilder b(tracer::registry());
-  p.pattern.type = b.pattern("gradient");
-  p.pattern.args = {1, 0, 0};
+  p.pattern.edit().type = b.pattern("gradient");
+  p.pattern.edit().args = {1, 0, 0};
   p.entries = {{0.5F, rgbft(0, 0, 0)}, {0.5F, rgbft(1, 1, 1)}};
   const tracer::LensPoints made = tracer::bokeh_lens(40, p, {});
   REQUIRE(made.points.size() == 40);
@@ -46,8 +46,8 @@ TEST_CASE("lens: what is in focus stays sharp", "[tracer][lens]") {
   // A wall of stripes at the focal distance; a stripe is wider than a pixel's samples reach.
   SceneBuilder s(tracer::registry());
   scene::Pigment p;
-  p.pattern.type = s.pattern("gradient");
-  p.pattern.args = {1, 0, 0};
+  p.pattern.edit().type = s.pattern("gradient");
+  p.pattern.edit().args = {1, 0, 0};
   p.entries = {{0.5F, rgbft(0, 0, 0)}, {0.5F, rgbft(1, 1, 1)}};
   s.add("plane", {0, 0, -1, -10}, s.texture(p, luminous()));
   s.look({0.75, 0, 0}, {0.75, 0, 1}, 0.1);

@@ -15,8 +15,8 @@ namespace {
 scene::Normal normal_of(std::string_view pattern, std::vector<double> args = {}) {
   const test::SceneBuilder names(registry());
   scene::Normal n;
-  n.pattern.type = names.pattern(pattern);
-  n.pattern.args = std::move(args);
+  n.pattern.edit().type = names.pattern(pattern);
+  n.pattern.edit().args = std::move(args);
   return n;
 }
 dvec3 bent(const scene::Normal& normal, dvec3 p, dvec3 n, const Transform& to_world = {}) {

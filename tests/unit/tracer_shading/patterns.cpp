@@ -102,14 +102,14 @@ TEST_CASE("patterns: values are the oracle's on a cloud of points", "[tracer][pa
   for (const Row& row : rows) {
     // A map that shows the value itself, after the whole pipeline.
     scene::Pigment pigment;
-    pigment.pattern.type = names.pattern(row.name);
-    pigment.pattern.args = row.args;
-    const scene::PatternInfo& info = *registry().patterns[pigment.pattern.type];
-    if (pigment.pattern.args.empty()) {
-      pigment.pattern.args = default_args(*pattern_types()[pigment.pattern.type]);
+    pigment.pattern.edit().type = names.pattern(row.name);
+    pigment.pattern.edit().args = row.args;
+    const scene::PatternInfo& info = *registry().patterns[pigment.pattern->type];
+    if (pigment.pattern->args.empty()) {
+      pigment.pattern.edit().args = default_args(*pattern_types()[pigment.pattern->type]);
     }
-    pigment.pattern.frequency = info.unwrapped ? 0 : 1;
-    pigment.pattern.wave = info.wave;
+    pigment.pattern.edit().frequency = info.unwrapped ? 0 : 1;
+    pigment.pattern.edit().wave = info.wave;
     pigment.entries = {{0, test::rgbft(0, 0, 0), scene::none},
                        {8, test::rgbft(8, 0, 0), scene::none}};
     PigmentStore store;

@@ -14,8 +14,8 @@ const SceneBuilder names(tracer::registry());
 
 scene::Pigment ramp(std::vector<scene::PigmentEntry> entries) {
   scene::Pigment p;
-  p.pattern.type = names.pattern("gradient");
-  p.pattern.args = {1, 0, 0};
+  p.pattern.edit().type = names.pattern("gradient");
+  p.pattern.edit().args = {1, 0, 0};
   p.entries = std::move(entries);
   return p;
 }
@@ -67,21 +67,21 @@ TEST_CASE("pigment: the value 1 finds the last entry", "[tracer][pigment]") {
 TEST_CASE("pigment: frequency, phase and waves shape the value", "[tracer][pigment]") {
   auto p = ramp({at_key(0, 0), at_key(1, 1)});
   SECTION("frequency and phase") {
-    p.pattern.frequency = 3;
-    p.pattern.phase = 0.25F;
+    p.pattern.edit().frequency = 3;
+    p.pattern.edit().phase = 0.25F;
     CHECK(red(p, {0.5, 0, 0}) == Approx(std::fmod(1.75, 1.00001)));
   }
   SECTION("negative frequency wraps upwards") {
-    p.pattern.frequency = -1;
+    p.pattern.edit().frequency = -1;
     CHECK(red(p, {0.25, 0, 0}) == Approx(0.75));
   }
   SECTION("frequency 0 takes the raw value and ignores phase") {
-    p.pattern.frequency = 0;
-    p.pattern.phase = 0.25F;
+    p.pattern.edit().frequency = 0;
+    p.pattern.edit().phase = 0.25F;
     CHECK(red(p, {0.5, 0, 0}) == Approx(0.5));
   }
   SECTION("sine") {
-    p.pattern.wave = scene::Wave::sine;
+    p.pattern.edit().wave = scene::Wave::sine;
     CHECK(red(p, {0.25, 0, 0}) == Approx(1));
     CHECK(red(p, {0.75, 0, 0}) == Approx(0).margin(1e-7));
   }
@@ -97,11 +97,11 @@ TEST_CASE("pigment: frequency, phase and waves shape the value", "[tracer][pigme
 TEST_CASE("pigment: entries move with the pattern around them", "[tracer][pigment]") {
   scene::Pigment inner = ramp({at_key(0, 0), at_key(1, 1)});
   scene::Pigment outer;
-  outer.pattern.type = names.pattern("checker");
-  outer.pattern.frequency = 0;
+  outer.pattern.edit().type = names.pattern("checker");
+  outer.pattern.edit().frequency = 0;
   outer.entries = {{0, {}, 0}, at_key(1, 0.125F)};
   outer.children = {inner};
-  outer.pattern.transform = Transform::scale({4, 4, 4});
+  outer.pattern.edit().transform = Transform::scale({4, 4, 4});
   CHECK(red(outer, {1, 1, 1}) == Approx(0.25));
   CHECK(red(outer, {5, 1, 1}) == 0.125F);
   CHECK(red(outer, {11, 1, 1}, Transform::translate({10, 0, 0})) == Approx(0.25));

@@ -10,10 +10,10 @@ namespace {
 struct Ruler : Floor {
   Ruler() {
     scene::Pigment p;
-    p.pattern.type = pattern("gradient");
-    p.pattern.args = {0, 0, 1};
+    p.pattern.edit().type = pattern("gradient");
+    p.pattern.edit().args = {0, 0, 1};
     p.entries = {{0, rgbft(0, 0, 0), scene::none}, {1, rgbft(1, 1, 1), scene::none}};
-    p.pattern.transform = Transform::scale({100, 100, 100}).then(Transform::translate({0, 0, -50}));
+    p.pattern.edit().transform = Transform::scale({100, 100, 100}).then(Transform::translate({0, 0, -50}));
     add("plane", {0, 1, 0, -4}, texture(p, luminous()));
   }
   scene::InteriorId glass(double ior) {

@@ -19,8 +19,8 @@ scene::Scene busy_scene() {
   s.light({10, 20, -30});
   s.light({-20, 10, -10}, {0.5F, 0.4F, 0.2F});
   scene::Pigment checks;
-  checks.pattern.type = s.pattern("checker");
-  checks.pattern.frequency = 0;
+  checks.pattern.edit().type = s.pattern("checker");
+  checks.pattern.edit().frequency = 0;
   checks.entries = {{0, rgbft(1, 1, 1), scene::none}, {1, rgbft(0.2F, 0, 0), scene::none}};
   scene::Finish rough;
   rough.crand = 0.1F;

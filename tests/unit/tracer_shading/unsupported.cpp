@@ -28,7 +28,7 @@ TEST_CASE("unsupported: a used feature is an error with its place and chain", "[
   s.scene.origins.push_back({{5, 2}, 0});
   s.scene.origins.push_back({{12, 7}, 1});
   scene::Pigment outer;
-  outer.pattern.type = s.pattern("checker");
+  outer.pattern.edit().type = s.pattern("checker");
   outer.entries = {{0, {}, 0}, {1, {}, scene::none}};
   scene::Pigment bozo = plain(rgbft(1, 0, 0));
   bozo.unsupported = "bozo";
