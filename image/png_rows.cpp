@@ -18,7 +18,8 @@ unsigned char paeth(int left, int above, int corner) {
   const int to_corner = std::abs(left + above - 2 * corner);
   // Selections rather than returns: these the compiler can do for many bytes at once.
   const int upper = to_above <= to_corner ? above : corner;
-  return static_cast<unsigned char>((to_left <= to_above) & (to_left <= to_corner) ? left : upper);
+  const bool take_left = (to_left <= to_above) & (to_left <= to_corner);
+  return static_cast<unsigned char>(take_left ? left : upper);
 }
 
 /// One filter over a row; the sum of the differences' sizes, for the smallest compress best.
@@ -36,8 +37,7 @@ std::size_t differences(std::span<unsigned char> out, Predict predict) {
 }  // namespace
 
 PngRows::PngRows(std::size_t row_bytes, std::size_t pixel_bytes, int level)
-    : row_bytes_(row_bytes),
-      pixel_bytes_(pixel_bytes),
+    : pixel_bytes_(pixel_bytes),
       level_(level),
       strategy_(level < 0 ? Z_RLE : Z_FILTERED),
       row_(row_bytes + pixel_bytes),

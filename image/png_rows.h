@@ -14,8 +14,8 @@ namespace durer::image {
 /// scene. So a stretch of rows is searched only where a sample of it says that this is worth it.
 class PngRows {
  public:
-  /// `pixel_bytes`: distance to the same sample of the next pixel. `level`: 0…9 as zlib has it, or
-  /// -1 for what suits the rows.
+  /// `pixel_bytes`: distance to the same sample of the next pixel. `level`: 0…9 as zlib has it,
+  /// or -1 for what suits the rows.
   PngRows(std::size_t row_bytes, std::size_t pixel_bytes, int level);
   ~PngRows();
   PngRows(const PngRows&) = delete;
@@ -33,7 +33,7 @@ class PngRows {
   [[nodiscard]] bool repetitive(std::span<unsigned char> part);
   [[nodiscard]] std::size_t size_of(std::span<unsigned char> part, int level, int strategy);
 
-  std::size_t row_bytes_, pixel_bytes_;
+  std::size_t pixel_bytes_;
   int level_;
   int strategy_;
   // `pixel_bytes` zeros before each row stand for what lies left of it.

@@ -78,7 +78,9 @@ struct WideQuad {
             __builtin_shufflevector(ab, cd, 2, 3, 6, 7)};
   }
   DURER_INLINE void store(double* p) const { std::memcpy(p, &v, sizeof v); }
-  DURER_INLINE WideQuad clamped01() const { return {smaller(Double4{} + 1.0, larger(v, Double4{}))}; }
+  DURER_INLINE WideQuad clamped01() const {
+    return {smaller(Double4{} + 1.0, larger(v, Double4{}))};
+  }
 };
 
 /// Two 128-bit registers: what every x86-64 and ARM64 processor has. Same results, bit for bit.

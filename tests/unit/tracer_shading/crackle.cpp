@@ -65,7 +65,8 @@ TEST_CASE("crackle: cells that are kept and cubes left out change no value",
   std::mt19937 random(5);
   const double metric = GENERATE(0.6, 1.0, 1.5, 2.0, 3.0, 4.0, 8.0, 9.0, 40.0);
   const double offset = GENERATE(0.0, 0.25);
-  const dvec3 form = GENERATE(dvec3(-1, 1, 0), dvec3(0.4, 0, 0), dvec3(0, 0, 0.5), dvec3(0.7, -0.9, 0.4));
+  const dvec3 form = GENERATE(dvec3(-1, 1, 0), dvec3(0.4, 0, 0), dvec3(0, 0, 0.5),
+                              dvec3(0.7, -0.9, 0.4));
   std::uniform_real_distribution<double> uniform(-30, 30);
   double worst = 0;
   for (int i = 0; i < 300; ++i) {

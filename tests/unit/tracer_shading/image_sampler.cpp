@@ -95,7 +95,8 @@ TEST_CASE("image sampler: interpolation keeps pixel centres and runs evenly betw
   }
 }
 
-TEST_CASE("image sampler: weights by distance favour the nearest pixel", "[tracer][image_sampler]") {
+TEST_CASE("image sampler: weights by distance favour the nearest pixel",
+          "[tracer][image_sampler]") {
   scene::Image image = image_of(small_picture());
   image.interpolation = scene::Image::Interpolation::distance;
   const ImageSampler sampler(image);
