@@ -59,6 +59,13 @@ class Render {
     const int code = trace(*frame->scene, *compiled, *window);
     Diagnostics events(frame->sources);
     tracer::report_events(*compiled, events);
+    if (!warning_.empty()) {
+      Diagnostic d;
+      d.severity = Severity::warning;
+      d.code = Code::file_not_written;
+      d.message = warning_;
+      events.report(std::move(d));
+    }
     console_.print(events);
     leave_behind(std::move(compiled));
     leave_behind(std::move(frame));
@@ -103,6 +110,7 @@ class Render {
       result = tracer::render(compiled, options, on_progress, stop_, &saved.checkpoint());
       line.clear();
     }
+    warning_ = result.warning;
     const image::Encoding encoding = encoding_of(settings_, scene.settings);
     if (!result.cancelled) return finish(result, window, encoding, saved);
     const auto lost = saved.save();
@@ -178,6 +186,7 @@ class Render {
   const FrameTask& task_;
   Output output_;
   std::atomic<bool>* stop_ = nullptr;
+  std::string warning_;  // of the render
 };
 
 }  // namespace

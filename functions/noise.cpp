@@ -50,6 +50,11 @@ dvec3 vturbulence(dvec3 p, const Octaves& octaves) {
   return simd::kernels().vturbulence(p, octaves);
 }
 
+void noise_octaves(dvec3 p, double lambda, int count, NoiseGenerator generator, double* out) {
+  simd::kernels().noise_octaves(p, lambda, count, generator, out);
+}
+dvec3 folded_vnoise(dvec3 p, int count) { return simd::kernels().vfolded(p, count); }
+
 int hash2(int a, int b) {
   return permutation[permutation[static_cast<unsigned>(a) & lattice_mask] ^
                      (static_cast<unsigned>(b) & lattice_mask)];

@@ -48,6 +48,11 @@ struct Octaves {
 /// Vector turbulence (textures §2.7), in pattern units.
 [[nodiscard]] dvec3 vturbulence(dvec3 p, const Octaves& octaves);
 
+/// out[i] = noise(lambda^i * p) for i < `count`. `out` has room for the next multiple of four.
+void noise_octaves(dvec3 p, double lambda, int count, NoiseGenerator generator, double* out);
+/// Sum of |vnoise(2^i * p)| / 2^i for i < `count`, component by component.
+[[nodiscard]] dvec3 folded_vnoise(dvec3 p, int count);
+
 /// Integer hashes into 0..4095; arguments in two's complement (textures §2.2).
 [[nodiscard]] int hash2(int a, int b);
 [[nodiscard]] int hash3(int a, int b, int c);

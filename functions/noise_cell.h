@@ -29,7 +29,7 @@ struct CellAxis {
 }
 /// Generator 3.
 [[nodiscard]] DURER_INLINE CellAxis gradient_axis(double x) {
-  const double t = x + 10000000.023157213;
+  const double t = x + gradient_origin;
   const std::int32_t n = to_int32(std::floor(t));
   const double f = t - n;
   return {static_cast<std::uint32_t>(n), f, smooth_step(f)};
@@ -41,6 +41,12 @@ struct Cell {
   const double* row[8];
 };
 
+/// The row that a place of `row_offsets` tells.
+[[nodiscard]] DURER_INLINE const double* row_at(std::uint32_t offset) {
+  return reinterpret_cast<const double*>(reinterpret_cast<const char*>(corner_rows.data()) +
+                                         offset);
+}
+
 [[nodiscard]] DURER_INLINE Cell table_cell(double px, double py, double pz) {
   constexpr std::uint32_t mask = lattice_size - 1;
   Cell cell{table_axis(px), table_axis(py), table_axis(pz), {}};
@@ -49,8 +55,7 @@ struct Cell {
     for (std::uint32_t b = 0; b < 2; ++b) {
       const std::uint32_t hy = permutation[hx ^ ((cell.y.index + b) & mask)];
       for (std::uint32_t c = 0; c < 2; ++c) {
-        const std::uint32_t hz = permutation[hy ^ ((cell.z.index + c) & mask)];
-        cell.row[a + 2 * b + 4 * c] = corner_rows[hz & 255u].c;
+        cell.row[a + 2 * b + 4 * c] = row_at(row_offsets[hy ^ ((cell.z.index + c) & mask)]);
       }
     }
   }

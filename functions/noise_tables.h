@@ -78,6 +78,18 @@ inline constexpr std::array<CornerRow, 264> corner_rows = [] {
   return rows;
 }();
 
+/// For each place of `permutation`: where its value, as a byte, has its row, in bytes.
+inline constexpr std::array<std::uint16_t, lattice_size> row_offsets = [] {
+  std::array<std::uint16_t, lattice_size> offsets{};
+  for (unsigned i = 0; i < lattice_size; ++i) {
+    offsets[i] = static_cast<std::uint16_t>((permutation[i] & 255U) * sizeof(CornerRow));
+  }
+  return offsets;
+}();
+
+/// What generator 3 adds to coordinates.
+inline constexpr double gradient_origin = 10000000.023157213;
+
 /// Tables of generator 3: 2048 unit gradients (as {0, x, y, z}) and a near-permutation.
 struct GradientLattice {
   std::array<CornerRow, 2048> gradients;

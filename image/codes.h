@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
+#include "image/dither.h"
 #include "image/image.h"
 
 namespace durer::image {
@@ -23,6 +26,30 @@ struct Depth {
 
 /// The depth for a format with 8-bit and 16-bit samples: 5…8 bits go into 8, 9…16 into 16.
 [[nodiscard]] Depth depth_for(int bits);
+
+class CodeTable;
+
+/// Codes of a picture, row by row from the top: errors of rounding may be handed down.
+class Coder {
+ public:
+  /// As to_codes(); `image` must stay.
+  Coder(const Image& image, const Encoding& encoding, Depth depth, bool alpha);
+  ~Coder();
+
+  [[nodiscard]] int channels() const { return colours_ + (alpha_ ? 1 : 0); }
+  [[nodiscard]] int sample_bits() const { return depth_.sample_bits; }
+  /// The codes of row `y`, of width times channels numbers.
+  void row(int y, std::span<std::uint16_t> out);
+
+ private:
+  const Image* image_;
+  Encoding encoding_;
+  Depth depth_;
+  bool alpha_;
+  int colours_;
+  Ditherer dither_;
+  std::unique_ptr<const CodeTable> table_;  // if it is worth it
+};
 
 /// Encodes by `encoding` (code = floor(clamp(E(c), 0, 1)·M + ½)); `alpha` asks for the channel and
 /// for colours divided by it, with the brightness rule of shading §1.7. NaN becomes 0.

@@ -79,13 +79,7 @@ scene::Finish Interpreter::read_finish(scene::Finish f) {
         }
         break;
       }
-      case w::subsurface: {
-        // Without `subsurface` in global_settings it has no effect (shading §4.4), and that one is
-        // an error by itself.
-        expect_open("subsurface");
-        skip_block();
-        break;
-      }
+      case w::subsurface: read_translucency(f, t); break;
       case w::ior: f.ior = number(); break;
       case w::caustics: f.caustics = number(); break;
       case w::refraction: f.refraction = number(); break;

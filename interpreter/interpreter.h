@@ -689,6 +689,17 @@ void append_text_call(const ast::Tree& tree, const ast::Expr& e, SymbolId functi
   void read_radiosity_count(scene::Radiosity& r, const Token& word);
   void check_reuse(scene::Radiosity& r, bool minimum_given, bool maximum_given, Span span);
   float read_importance(const Token& word);
+  // ---- subsurface.cpp
+  void read_subsurface(const Token& word);
+  void read_translucency(scene::Finish& finish, const Token& word);
+  // ---- photons.cpp
+  void read_photons(const Token& word);
+  void read_photon_file(scene::Photons& photons, const Token& word);
+  void read_photon_radii(scene::Photons& photons);
+  double read_photon_number(const Token& word, double least, bool least_excluded = false);
+  void read_object_photons(scene::ObjectPhotons& photons, const Token& word);
+  void settle_pass_through(scene::ObjectPhotons& photons, grammar::SymbolId last, Span span);
+  void read_light_photons(scene::LightPhotons& photons, const Token& word);
   scene::Fog read_fog(Span span);
   bool fog_setting(scene::Fog& fog, const Token& token);
   scene::Rainbow read_rainbow(Span span);

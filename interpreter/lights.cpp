@@ -43,7 +43,7 @@ namespace {
 constexpr std::string_view light_settings =
     "spotlight cylinder parallel shadowless point_at radius falloff tightness area_light adaptive "
     "jitter circular orient area_illumination fade_distance fade_power media_attenuation "
-    "media_interaction looks_like projected_through color_map translate rotate scale matrix "
+    "media_interaction looks_like projected_through photons color_map translate rotate scale matrix "
     "transform";
 
 }  // namespace
@@ -77,10 +77,7 @@ void Interpreter::read_light_items(scene::Object& o, scene::Light& l, const Toke
         l.projected_through = add_object(std::move(shape));
         break;
       }
-      case w::photons:
-        expect_open("photons");
-        skip_block();
-        break;
+      case w::photons: read_light_photons(l.photons, t); break;
       case w::color_map:
       case w::colour_map: l.colour = sum_of_colours(read_colour_map()); break;
       default: bad_setting(t, "light_source", word.span, light_settings);
@@ -246,13 +243,12 @@ scene::ObjectId Interpreter::read_light_group(const Token& word) {
     } else if (t.is(w::global_lights)) {
       o.global_lights = read_switch(true);
     } else if (t.is(w::photons)) {
-      expect_open("photons");
-      skip_block();
+      read_object_photons(o.extras.edit().photons, t);
     } else if (const Value* v = t.is_place() ? lookup(*t.tree, t.expr, true) : nullptr;
                v != nullptr && v->get<ObjectRef>() != nullptr) {
       children.push_back(v->get<ObjectRef>()->id);
     } else {
-      bad_setting(t, "light_group", opened, "global_lights translate rotate scale matrix transform");
+      bad_setting(t, "light_group", opened, "global_lights photons translate rotate scale matrix transform");
     }
   }
   o.children = children;

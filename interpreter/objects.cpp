@@ -391,12 +391,7 @@ bool Interpreter::object_modifier(scene::Object& o, const Token& t) {
       }
       o.cutaway_textures = true;
       return true;
-    case w::photons: {
-      // Photons can only be shot once they are switched on in global_settings.
-      expect_open("photons");
-      skip_block();
-      return true;
-    }
+    case w::photons: read_object_photons(o.extras.edit().photons, t); return true;
     case w::radiosity: o.importance = read_importance(t); return true;
     case w::color:
     case w::colour:

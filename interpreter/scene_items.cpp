@@ -75,9 +75,8 @@ void Interpreter::read_global_settings(Span span) {
         }
         break;
       case w::radiosity: read_radiosity(t); break;
-      case w::photons:
-      case w::subsurface:
-        not_supported(fmt::format("`{}` in global_settings", name_of(t.word)), t.span);
+      case w::photons: read_photons(t); break;
+      case w::subsurface: read_subsurface(t); break;
       default: bad_setting(t, "global_settings", span, settings);
     }
   }

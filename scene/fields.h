@@ -51,6 +51,45 @@ struct Fields<HeightField> {
 };
 
 template <>
+struct Fields<ObjectPhotons> {
+  static constexpr std::tuple all{field("target", &ObjectPhotons::target),
+                                  field("refraction", &ObjectPhotons::refraction),
+                                  field("reflection", &ObjectPhotons::reflection),
+                                  field("pass_through", &ObjectPhotons::pass_through),
+                                  field("collect", &ObjectPhotons::collect)};
+};
+
+template <>
+struct Fields<LightPhotons> {
+  static constexpr std::tuple all{field("refraction", &LightPhotons::refraction),
+                                  field("reflection", &LightPhotons::reflection),
+                                  field("area", &LightPhotons::area)};
+};
+
+template <>
+struct Fields<Photons> {
+  static constexpr std::tuple all{
+      field("spacing", &Photons::spacing),
+      field("count", &Photons::count),
+      field("gather_min", &Photons::gather_min),
+      field("gather_max", &Photons::gather_max),
+      field("media_steps", &Photons::media_steps),
+      field("media_factor", &Photons::media_factor),
+      field("jitter", &Photons::jitter),
+      field("autostop", &Photons::autostop),
+      field("expand_increase", &Photons::expand_increase),
+      field("expand_min", &Photons::expand_min),
+      field("surface_radius", &Photons::surface_radius),
+      field("surface_factor", &Photons::surface_factor),
+      field("media_radius", &Photons::media_radius),
+      field("media_factor_of_radius", &Photons::media_factor_of_radius),
+      field("max_trace_level", &Photons::max_trace_level),
+      field("adc_bailout", &Photons::adc_bailout),
+      field("save_file", &Photons::save_file),
+      field("loaded", &Photons::loaded)};
+};
+
+template <>
 struct Fields<ObjectExtras> {
   static constexpr std::tuple all{field("mesh", &ObjectExtras::mesh),
                                   field("isosurface", &ObjectExtras::isosurface),
@@ -63,6 +102,7 @@ struct Fields<ObjectExtras> {
                                   field("clip_transform", &ObjectExtras::clip_transform),
                                   field("bound_transform", &ObjectExtras::bound_transform),
                                   field("media_transform", &ObjectExtras::media_transform),
+                                  field("photons", &ObjectExtras::photons),
                                   field("unsupported", &ObjectExtras::unsupported)};
 };
 
@@ -178,6 +218,7 @@ struct Fields<Light> {
                                   field("has_area", &Light::has_area),
                                   field("area", &Light::area),
                                   field("projected_through", &Light::projected_through, Role::id),
+                                  field("photons", &Light::photons),
                                   field("origin", &Light::origin, Role::place)};
 };
 
@@ -280,6 +321,13 @@ struct Fields<Rainbow> {
 };
 
 template <>
+struct Fields<Subsurface> {
+  static constexpr std::tuple all{field("samples", &Subsurface::samples),
+                                  field("single_samples", &Subsurface::single_samples),
+                                  field("radiosity", &Subsurface::radiosity)};
+};
+
+template <>
 struct Fields<Settings> {
   static constexpr std::tuple all{field("adc_bailout", &Settings::adc_bailout),
                                   field("max_trace_level", &Settings::max_trace_level),
@@ -289,6 +337,8 @@ struct Fields<Settings> {
                                   field("number_of_waves", &Settings::number_of_waves),
                                   field("mm_per_unit", &Settings::mm_per_unit),
                                   field("radiosity", &Settings::radiosity),
+                                  field("photons", &Settings::photons),
+                                  field("subsurface", &Settings::subsurface),
                                   field("gamma_mode", &Settings::gamma_mode),
                                   field("assumed_gamma", &Settings::assumed_gamma),
                                   field("effective_version", &Settings::effective_version),
@@ -396,6 +446,8 @@ struct Fields<Finish> {
                                   field("irid", &Finish::irid),
                                   field("irid_thickness", &Finish::irid_thickness),
                                   field("irid_turbulence", &Finish::irid_turbulence),
+                                  field("translucency", &Finish::translucency),
+                                  field("subsurface", &Finish::subsurface),
                                   field("ior", &Finish::ior),
                                   field("caustics", &Finish::caustics),
                                   field("refraction", &Finish::refraction),

@@ -8,6 +8,7 @@
 #include "base/vec.h"
 #include "scene/origin.h"
 #include "scene/pattern.h"
+#include "scene/photons.h"
 
 namespace durer::scene {
 
@@ -45,6 +46,7 @@ struct Light {
   LightArea area;
   /// ObjectId, in the space of the light: only what shines through this one gets on.
   std::uint32_t projected_through = none;
+  LightPhotons photons;
   OriginId origin = 0;
 };
 

@@ -13,6 +13,7 @@
 #include "scene/function_surface.h"
 #include "scene/height_field.h"
 #include "scene/mesh.h"
+#include "scene/photons.h"
 #include "scene/texture.h"
 
 namespace durer::scene {
@@ -47,6 +48,7 @@ struct ObjectExtras {
   SharedTransform clip_transform;
   SharedTransform bound_transform;
   SharedTransform media_transform;  // of the densities inside → surrounding space
+  ObjectPhotons photons;
   std::string unsupported;  // the feature's name, when it cannot be rendered yet
 };
 

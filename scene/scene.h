@@ -16,6 +16,7 @@
 #include "scene/media.h"
 #include "scene/object.h"
 #include "scene/origin.h"
+#include "scene/photons.h"
 #include "scene/radiosity.h"
 #include "scene/texture.h"
 
@@ -30,6 +31,16 @@ struct SkySphere {
   OriginId origin = 0;
 };
 
+/// `subsurface { … }` of `global_settings`: light that goes on below surfaces
+/// (participating-and-global §4).
+struct Subsurface {
+  int samples = 50;         // where diffused light may have entered
+  int single_samples = 50;  // of light that was scattered once, for each component of colour
+  bool radiosity = false;   // indirect light enters, too
+
+  friend bool operator==(const Subsurface&, const Subsurface&) = default;
+};
+
 /// How scene numbers relate to light (shading §1.2).
 enum class GammaMode : std::uint8_t { off, legacy, explicit_, implied };
 
@@ -42,6 +53,8 @@ struct Settings {
   int number_of_waves = 10;  // sources of the `waves` and `ripples` patterns
   double mm_per_unit = 10;   // scale of subsurface light transport
   std::optional<Radiosity> radiosity;
+  std::optional<Photons> photons;
+  std::optional<Subsurface> subsurface;
   GammaMode gamma_mode = GammaMode::off;
   GammaCurve assumed_gamma;  // meaning of scene numbers; identity curve in mode `off`
   /// Hundredths; decides opacity, sky and gamma rules at render time (shading §1.1).

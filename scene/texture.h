@@ -68,6 +68,10 @@ struct Finish {
   float irid = 0;
   float irid_thickness = 0;
   float irid_turbulence = 0;
+  /// Mean way of light below the surface, in mm: then it is not reflected where it falls, but
+  /// comes out around there. 0: at once.
+  vec3 translucency{0.0F};
+  bool subsurface = false;
   /// Legacy values that move into the object's interior (objects §8.6); negative: not written.
   float ior = -1;
   float caustics = -1;

@@ -38,7 +38,19 @@ def literal_mesh(path: Path) -> None:
         text.write("  }\n  pigment { rgb <0.4, 0.7, 0.3> }\n}\n")
 
 
-WRITERS = {"literal_mesh.inc": literal_mesh}
+def bench_map(path: Path) -> None:
+    """A picture of 1024x512 pixels with waves and small tiles in it."""
+    width, height = 1024, 512
+    pixels = bytearray()
+    for y in range(height):
+        for x in range(width):
+            wave = math.sin(x / 40) * math.cos(y / 25) + 0.5 * math.sin(x * y / 3000)
+            tile = 40 if (x // 16 + y // 16) % 2 else 0
+            pixels += bytes((int(128 + 60 * wave), int(160 - 50 * wave + tile / 2), 100 + tile))
+    path.write_bytes(b"P6\n%d %d\n255\n" % (width, height) + pixels)
+
+
+WRITERS = {"bench_map.ppm": bench_map, "literal_mesh.inc": literal_mesh}
 
 
 def provide(name: str) -> None:

@@ -64,6 +64,7 @@ void compile_surfaces(CompiledScene& out) {
     program.double_illuminate = s.double_illuminate;
     program.uv_mapping = s.uv_mapping;
     program.lamps = s.lamps;
+    program.photons = s.photons;
     program.cutaway = s.cutaway != scene::none;
     bool all_opaque = true;
     if (s.part_textures != nullptr) {
@@ -108,6 +109,7 @@ void compile_interiors(const scene::Scene& scene, CompiledScene& out) {
       out.interiors.back().media = out.media.add(*interior->media, instances[i].to_world);
     }
   }
+  if (out.subsurface) out.subsurface->add_interiors(out.interiors);
   if (out.quality.atmosphere) out.air_media = out.media.add(scene.atmosphere, {});
 }
 

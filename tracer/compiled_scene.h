@@ -16,6 +16,7 @@
 #include "tracer/shading/texture.h"
 #include "tracer/transport/emitters.h"
 #include "tracer/transport/radiosity.h"
+#include "tracer/transport/subsurface.h"
 
 namespace durer::tracer {
 
@@ -28,6 +29,7 @@ struct SurfaceProgram {
   bool uv_mapping = false;  // all textures are looked up at (u, v, 0)
   bool has_parts = false;   // single parts of the surface have textures of their own:
   std::uint32_t first_part = 0;  // index into CompiledScene::part_textures
+  PhotonTraits photons;
   bool cutaway = false;          // it takes textures of other surfaces (objects §9.5)
 };
 
@@ -38,6 +40,9 @@ struct CompiledScene {
   CompiledScene(const scene::Scene& s, Geometry g, Quality q)
       : scene(&s), quality(q), geometry(std::move(g)), textures(s, q), sky(s), atmosphere(s), media(s.settings) {
     if (s.settings.radiosity && q.radiosity && !q.path) radiosity.emplace(s);
+    if (s.settings.subsurface && q.subsurface) {
+      subsurface.emplace(*s.settings.subsurface, s.settings.mm_per_unit);
+    }
   }
 
   const scene::Scene* scene;
@@ -47,6 +52,7 @@ struct CompiledScene {
   Sky sky;
   Atmosphere atmosphere;
   std::optional<RadiosityProgram> radiosity;
+  std::optional<SubsurfaceProgram> subsurface;
   std::vector<SurfaceProgram> surfaces;  // parallel to geometry.surfaces()
   std::vector<ProgramId> part_textures;
   std::vector<Interior> interiors;       // parallel to geometry.interiors()

@@ -150,8 +150,8 @@ class Measure {
 
 }  // namespace
 
-Bounds3 extent_of(const scene::Scene& scene, scene::ObjectId object) {
-  return Measure(scene).box(object, {});
+Bounds3 extent_of(const scene::Scene& scene, scene::ObjectId object, const Transform& around) {
+  return Measure(scene).box(object, around);
 }
 
 std::optional<Bounds3> bounding_box_of(const scene::Scene& scene, scene::ObjectId object,

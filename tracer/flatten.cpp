@@ -41,6 +41,7 @@ struct Context {
   std::uint32_t gate = none;
   std::uint32_t direct_of = none;  // the light group whose direct child this is
   std::uint32_t lamps = 0;         // index into lamp_sets_
+  PhotonTraits photons;
   bool cutaway = false;        // bare surfaces look like what they lie in (objects §9.5) …
   bool keeps_bare = false;     // … and the parent leaves its children without a texture
   bool filtered = false;       // inside a solid or clip, which decides what of it is seen
@@ -73,6 +74,12 @@ class SurfaceTable {
   static std::string key(const Surface& s) {
     std::string key(1, s.double_illuminate ? '1' : '0');
     key += s.uv_mapping ? '1' : '0';
+    const PhotonTraits& p = s.photons;
+    for (const std::optional<bool>& said : {p.refraction, p.reflection, p.collect}) {
+      key += said ? (*said ? '1' : '0') : '-';
+    }
+    key += p.pass_through ? '1' : '0';
+    key.append(reinterpret_cast<const char*>(&p.target), sizeof p.target);
     key.append(reinterpret_cast<const char*>(&s.lamps), sizeof s.lamps);
     key.append(reinterpret_cast<const char*>(&s.cutaway), sizeof s.cutaway);
     key.append(reinterpret_cast<const char*>(&s.part_textures), sizeof s.part_textures);
@@ -140,8 +147,10 @@ class Flattener {
     Context own = inherit(id, around);
     own.direct_of = none;
     if (object.kind == NodeKind::light_group) enter_group(object, own);
+    if (scene_.settings.photons && own.scenery) inherit_photons(id, around, own);
     if (own.scenery && around.splits && !own.cutaway && depth_ < max_placement_depth &&
-        object.extras->clips.empty() && sharing_.shares(object, own.to_world)) {
+        object.extras->clips.empty() && sharing_.shares(object, own.to_world) &&
+        !holds_targets(object)) {
       add_placement(object, own);
       return none;
     }
@@ -199,6 +208,33 @@ class Flattener {
     return own;
   }
 
+  void inherit_photons(scene::ObjectId id, const Context& around, Context& own) {
+    const scene::ObjectPhotons& said = scene_.objects[id].extras->photons;
+    PhotonTraits& p = own.photons;
+    // The outermost who says something decides.
+    if (!p.refraction) p.refraction = said.refraction;
+    if (!p.reflection) p.reflection = said.reflection;
+    if (!p.collect) p.collect = said.collect;
+    p.pass_through = p.pass_through || said.pass_through;
+    if (said.target == 0 || p.target != none || !lamp_sets_[own.lamps].global) return;
+    p.target = static_cast<std::uint32_t>(flat_.photon_targets.size());
+    flat_.photon_targets.push_back({said.target, p.refraction, p.reflection, p.collects(),
+                                    extent_of(scene_, id, around.to_world)});
+  }
+
+  // Photons are sent to places, so a target is one thing in one place.
+  bool holds_targets(const Object& object) {
+    if (!scene_.settings.photons) return false;
+    const auto [known, is_new] = holds_targets_.try_emplace(object.children.identity(), false);
+    if (!is_new) return known->second;
+    const bool holds =
+        std::any_of(object.children.begin(), object.children.end(), [&](scene::ObjectId child) {
+          const Object& o = scene_.objects[child];
+          return o.extras->photons.target > 0 || (!o.children.empty() && holds_targets(o));
+        });
+    return holds_targets_[object.children.identity()] = holds;
+  }
+
   // The oracle splits unions into their children, but not those that are clipped, or bounded and
   // finite. Of what is not split, all casts shadows and is seen, or nothing (objects §9.2).
   bool stays_whole(const Object& object) {
@@ -224,6 +260,7 @@ class Flattener {
       surface.double_illuminate = own.double_illuminate;
       surface.uv_mapping = own.uv_mapping;
       surface.lamps = own.lamps;
+      surface.photons = own.photons;
       const std::vector<scene::TextureId>& parts = object.extras->mesh != nullptr
                                                        ? object.extras->mesh->textures
                                                        : object.extras->part_textures;
@@ -358,6 +395,7 @@ class Flattener {
     Context own = around;
     own.to_world = object.transform.then(around.to_world);
     own.direct_of = none;
+    own.photons.pass_through = true;  // the lamp's own light does not stop there
     return visit(object.children[0], own);
   }
 
@@ -535,6 +573,7 @@ class Flattener {
   std::vector<LampSet> lamp_sets_{1};
   std::uint32_t groups_ = 0;
   std::unordered_map<const void*, bool> endless_;  // by Object::children
+  std::unordered_map<const void*, bool> holds_targets_;  // likewise
   scene::TextureId default_texture_ = none;
   std::uint32_t cutaway_ = none;      // of the outermost solid being visited; none: not needed yet
   std::uint32_t entry_interior_ = 0;  // of the object that `visit` has just returned

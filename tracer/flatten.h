@@ -80,6 +80,7 @@ struct Flat {
   std::vector<scene::Light> lights;
   std::vector<std::vector<std::uint32_t>> lamp_sets;  // see Surface::lamps
   std::vector<Projection> projections;
+  std::vector<PhotonTarget> photon_targets;
 
   std::vector<FlatLeaf> parts;
   std::vector<FlatNode> nodes;

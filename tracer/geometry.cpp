@@ -86,6 +86,7 @@ std::span<const std::vector<std::uint32_t>> Geometry::lamp_sets() const {
   return state_->lamp_sets;
 }
 std::span<const Projection> Geometry::projections() const { return state_->projections; }
+std::span<const PhotonTarget> Geometry::photon_targets() const { return state_->photon_targets; }
 
 void Geometry::for_surfaces(const std::function<void(const Leaf&, const Bounds3&)>& visit) const {
   for (const TypeStores& stores : state_->world().lone) {

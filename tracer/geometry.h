@@ -17,6 +17,7 @@
 #include "base/ray.h"
 #include "scene/scene.h"
 #include "tracer/accel/casters.h"
+#include "tracer/photon_traits.h"
 #include "tracer/query.h"
 #include "tracer/sharing.h"
 
@@ -48,6 +49,7 @@ struct Surface {
   const std::vector<scene::TextureId>* part_textures = nullptr;
   SharedTransform part_transform;
   std::uint32_t lamps = 0;  // who lights it: index into Geometry::lamp_sets()
+  PhotonTraits photons;
   std::uint32_t cutaway = scene::none;  // not none: it looks like what it lies in
 };
 
@@ -133,6 +135,8 @@ class Geometry {
   /// groups. Set 0 is for all that is in no group.
   [[nodiscard]] std::span<const std::vector<std::uint32_t>> lamp_sets() const;
   [[nodiscard]] std::span<const Projection> projections() const;
+  /// Objects that photons are sent to by lamps in no light group; none if photons are off.
+  [[nodiscard]] std::span<const PhotonTarget> photon_targets() const;
 
   /// Tells of every part of the surfaces that stand in the world itself, not in shared contents, and
   /// the box around it.

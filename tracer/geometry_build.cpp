@@ -44,6 +44,7 @@ Geometry::State::State(Flat flat, Hierarchy hierarchy) {
   lights = std::move(flat.lights);
   lamp_sets = std::move(flat.lamp_sets);
   projections = std::move(flat.projections);
+  photon_targets = std::move(flat.photon_targets);
   flat = {};  // makes room for the hierarchies
   for (std::size_t i = 0; i < groups.size(); ++i) finish_group(*groups[i], contents[i], hierarchy);
   update_masks();
@@ -104,6 +105,36 @@ void Geometry::State::add_cutaways(const Flat& flat) {
   }
 }
 
+namespace {
+
+/// The gate of all that can be seen of a node; nothing if its parts differ in that.
+std::optional<std::uint32_t> common_gate(const Flat& flat, std::uint32_t node) {
+  const FlatNode& n = flat.nodes[node];
+  if (n.op == Op::leaf) return flat.parts[n.part].gate;
+  std::optional<std::uint32_t> common;
+  for (const std::uint32_t child : n.children) {
+    const FlatNode& c = flat.nodes[child];
+    if (c.op == Op::leaf && flat.parts[c.part].leaf == scene::none) continue;  // it clips
+    const auto gate = common_gate(flat, child);
+    if (!gate || (common && *common != *gate)) return std::nullopt;
+    common = gate;
+  }
+  return common;
+}
+
+/// True if the node is a primitive whose surface has no end.
+bool is_endless(const Flat& flat, const FlatNode& node) {
+  if (node.op != Op::leaf) return false;
+  const FlatLeaf& part = flat.parts[node.part];
+  const PrimitiveType& type = *primitive_types()[part.object->type];
+  if (!type.keeps_bounds) return false;
+  TypeStores stores = type.make_stores();
+  const auto ref = place_object(type, stores, *part.object, {}, part.to_world, part.inverted);
+  return ref && ref->store->surface_bounds(ref->shape).infinite();
+}
+
+}  // namespace
+
 void Geometry::State::add_entry(Group& group, const Flat& flat, const FlatEntry& entry) {
   if (entry.placement != scene::none) {
     group.placements->add(entry.placement, placements[entry.placement].gate != scene::none);
@@ -112,7 +143,10 @@ void Geometry::State::add_entry(Group& group, const Flat& flat, const FlatEntry&
     return;
   }
   const FlatNode& node = flat.nodes[entry.node];
-  if (node.op == Op::leaf) {
+  // What is endless is only asked by rays that meet the bounds that it has: as a solid.
+  const Bounds3 bounds = gate_bounds(parts, common_gate(flat, entry.node).value_or(scene::none));
+  const bool cut = !bounds.infinite() && is_endless(flat, node);
+  if (node.op == Op::leaf && !cut) {
     const auto ref = place(group.lone, flat.parts[node.part]);
     if (!ref) return;
     group.bodies.push_back(
@@ -121,6 +155,7 @@ void Geometry::State::add_entry(Group& group, const Flat& flat, const FlatEntry&
   }
   const std::uint32_t solid = add_solid(
       parts, flat, entry.node, [this](const FlatLeaf& part) { return place(operands, part); });
+  parts.solids[solid].gate = bounds;
   group.solids->add(solid);
   group.bodies.push_back({Body::Kind::solid, false, solid, entry.interior, nullptr});
 }

@@ -62,6 +62,7 @@ struct Geometry::State {
   std::vector<scene::Light> lights;
   std::vector<std::vector<std::uint32_t>> lamp_sets;
   std::vector<Projection> projections;
+  std::vector<PhotonTarget> photon_targets;
   std::vector<Cutaway> cutaways;
 
   std::vector<TypeStores> operands;  // per primitive type: those inside solids, clips and bounds

@@ -14,7 +14,9 @@ struct Quality {
         reflection(level >= 8),
         normals(level >= 8),
         atmosphere(level >= 9),
-        radiosity(level >= 9) {}
+        radiosity(level >= 9),
+        photons(level >= 9),
+        subsurface(level >= 9) {}
 
   bool lights;         // without them a surface shows its innermost visible pigment
   bool shadows;
@@ -25,6 +27,8 @@ struct Quality {
   bool normals;
   bool atmosphere;  // fog, rainbows, media
   bool radiosity;
+  bool photons;
+  bool subsurface;
   bool path = false;  // light is followed along random paths: see Integrator
 };
 

@@ -5,6 +5,22 @@
 
 namespace durer::tracer {
 
+/// All bits of `h`, well mixed.
+[[nodiscard]] inline std::uint32_t mixed(std::uint32_t h) {
+  h = (h ^ (h >> 16)) * 0x7FEB352DU;
+  h = (h ^ (h >> 15)) * 0x846CA68BU;
+  return h ^ (h >> 16);
+}
+
+/// Digits of `i` in a base, mirrored at the point: 0…1. What follows each other is spread evenly
+/// (Halton's sequence).
+[[nodiscard]] inline double radical_inverse(std::uint32_t i, std::uint32_t base) {
+  double value = 0;
+  double digit = 1.0 / base;
+  for (; i > 0; i /= base, digit /= base) value += digit * (i % base);
+  return value;
+}
+
 /// The next number, 0…1: the oracle's generator of `crand` (shading §9).
 [[nodiscard]] inline float random_unit(std::uint32_t& state) {
   state = state * 1812433253U + 12345U;

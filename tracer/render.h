@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include "image/image.h"
@@ -53,6 +54,7 @@ struct RenderResult {
   image::Image image;  // pixels outside the rendered part are 0
   Progress final;
   bool cancelled = false;
+  std::string warning;  // why a file that the scene asks for could not be written; empty: all is well
 };
 
 /// A picture of which some blocks are done, so that a render can be interrupted and taken up again.

@@ -7,14 +7,19 @@ durer_entries(warp_sources warps/warps.def warps)
 durer_library(tracer
   SOURCES
     chi_square.cpp compile.cpp pigment_queries.cpp unsupported.cpp
-    patterns/image_sampler.cpp patterns/inner_object.cpp patterns/penrose.cpp patterns/tilings.cpp patterns/patterns.cpp patterns/program.cpp ${pattern_sources}
+    patterns/crackle_cell.cpp patterns/image_sampler.cpp patterns/inner_object.cpp patterns/penrose.cpp patterns/tilings.cpp patterns/patterns.cpp patterns/program.cpp ${pattern_sources}
     warps/warps.cpp ${warp_sources}
     shading/finish.cpp shading/fog.cpp shading/rainbow.cpp shading/interior.cpp shading/media.cpp shading/normal.cpp shading/pigment.cpp shading/sky.cpp shading/spectrum.cpp
-    shading/texture.cpp
+    shading/texture.cpp shading/translucent.cpp
     cameras/camera.cpp ${camera_sources}
     lights/area.cpp lights/light.cpp
-    transport/atmosphere.cpp transport/irradiance_cache.cpp transport/light.cpp transport/emitters.cpp transport/media.cpp transport/media_lights.cpp transport/path_lights.cpp transport/path_media.cpp transport/path_surface.cpp transport/path_tracer.cpp transport/radiosity.cpp transport/shadow.cpp transport/surface.cpp transport/texture_parts.cpp transport/trace.cpp
-    film/antialias.cpp film/jitter.cpp film/eye.cpp film/lens.cpp film/lens_points.cpp film/pretrace.cpp film/progress.cpp film/progressive.cpp film/render.cpp
+    transport/atmosphere.cpp transport/caustics.cpp transport/emitters.cpp transport/irradiance_cache.cpp transport/light.cpp
+    transport/media.cpp transport/media_lights.cpp transport/path_lights.cpp transport/path_media.cpp transport/path_surface.cpp
+    transport/path_tracer.cpp transport/photon_file.cpp transport/photon_gathering.cpp transport/photon_map.cpp
+    transport/photon_plan.cpp transport/photon_shooting.cpp transport/photon_tracer.cpp transport/radiosity.cpp transport/shadow.cpp
+    transport/subsurface.cpp transport/surface.cpp transport/texture_parts.cpp transport/trace.cpp
+    film/antialias.cpp film/jitter.cpp film/eye.cpp film/lens.cpp film/lens_points.cpp film/pretrace.cpp film/progress.cpp
+    film/progressive.cpp film/render.cpp
   LINKS durer::geometry durer::scene durer::functions
   PRIVATE_LINKS TBB::tbb fmt::fmt)
 if(TARGET durer::image)

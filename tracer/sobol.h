@@ -5,15 +5,9 @@
 #include <cstdint>
 
 #include "base/vec.h"
+#include "tracer/random.h"
 
 namespace durer::tracer {
-
-/// Spreads every bit of `h` over all of them.
-[[nodiscard]] inline std::uint32_t mixed(std::uint32_t h) {
-  h = (h ^ (h >> 16)) * 0x7FEB352DU;
-  h = (h ^ (h >> 15)) * 0x846CA68BU;
-  return h ^ (h >> 16);
-}
 
 [[nodiscard]] constexpr std::uint32_t reversed_bits(std::uint32_t x) {
   x = (x >> 16) | (x << 16);

@@ -78,6 +78,9 @@ void UnsupportedReport::check_finish(const scene::Finish& finish, scene::OriginI
   if (paths_ && reflects && finish.reflection_exponent != 1) {
     report("`reflection_exponent` in path tracing", origin);
   }
+  if (paths_ && scene_->settings.subsurface && finish.translucency != vec3(0.0F)) {
+    report("`subsurface` in path tracing", origin);
+  }
 }
 
 void UnsupportedReport::report(std::string_view feature, scene::OriginId origin) {

@@ -1,121 +1,267 @@
 #include "functions/simd/noise_kernels.h"
 
+#include <algorithm>
+
 #include "functions/noise_cell.h"
-#include "functions/simd/quad.h"
+#include "functions/simd/noise_lanes.h"
 
 namespace durer::functions::simd {
 namespace {
 
-/// The weight of a corner is separable, also with the dot product of its gradient folded in: lane k
-/// of the x factor carries (x - a) where k is the x gradient, and 1 elsewhere; likewise y and z.
+// The eight rows of a cell: number a + 2b + 4c for corner (a, b, c). Lanes i, j, k of `x`, `y` and
+// `z` are the coordinates.
+struct TableCorners {
+  using Axis = TableAxis;
+  const double* row[8];
+
+  DURER_INLINE TableCorners(const NoiseLanes& x, int i, const NoiseLanes& y, int j,
+                            const NoiseLanes& z, int k) {
+    const std::uint32_t hx[2] = {permutation[x.index[i]], permutation[x.next_index[i]]};
+    for (unsigned a = 0; a < 2; ++a) {
+      const std::uint32_t hy[2] = {permutation[hx[a] ^ y.index[j]],
+                                   permutation[hx[a] ^ y.next_index[j]]};
+      for (unsigned b = 0; b < 2; ++b) {
+        row[a + 2 * b] = row_at(row_offsets[hy[b] ^ z.index[k]]);
+        row[a + 2 * b + 4] = row_at(row_offsets[hy[b] ^ z.next_index[k]]);
+      }
+    }
+  }
+};
+struct GradientCorners {
+  using Axis = GradientAxis;
+  const double* row[8];
+
+  DURER_INLINE GradientCorners(const NoiseLanes& x, int i, const NoiseLanes& y, int j,
+                               const NoiseLanes& z, int k) {
+    const GradientLattice& t = gradient_lattice();
+    constexpr std::uint32_t mask = GradientAxis::mask;
+    const std::uint32_t hx[2] = {t.p[x.index[i]], t.p[x.next_index[i]]};
+    for (unsigned a = 0; a < 2; ++a) {
+      const std::uint32_t hy[2] = {t.p[(hx[a] + y.index[j]) & mask],
+                                   t.p[(hx[a] + y.next_index[j]) & mask]};
+      for (unsigned b = 0; b < 2; ++b) {
+        row[a + 2 * b] = t.gradients[(hy[b] + z.index[k]) & mask].c;
+        row[a + 2 * b + 4] = t.gradients[(hy[b] + z.next_index[k]) & mask].c;
+      }
+    }
+  }
+};
+
+/// The weight of a corner is separable, also with the dot product of its gradient folded in: lane 1
+/// of the x factor is the slope's, and likewise lane 2 of y and lane 3 of z.
 template <class Quad>
 struct Weights {
   Quad x0, x1, y0, y1, z0, z1;
 
-  explicit DURER_INLINE Weights(const Cell& cell) {
-    const auto [fx, sx, ux] = factors(cell.x);
-    const auto [fy, sy, uy] = factors(cell.y);
-    const auto [fz, sz, uz] = factors(cell.z);
-    x0 = Quad::of(ux, ux * fx, ux, ux);
-    x1 = Quad::of(sx, sx * (fx - 1), sx, sx);
-    y0 = Quad::of(uy, uy, uy * fy, uy);
-    y1 = Quad::of(sy, sy, sy * (fy - 1), sy);
-    z0 = Quad::of(uz, uz, uz, uz * fz);
-    z1 = Quad::of(sz, sz, sz, sz * (fz - 1));
-  }
-  /// Sum over the eight corners whose rows start `skip` numbers behind the rows of the cell.
-  DURER_INLINE double sum(const Cell& cell, int skip = 0) const {
+  explicit DURER_INLINE Weights(const Cell& cell)
+      : x0(Quad::of(below(cell.x), below(cell.x) * cell.x.f, below(cell.x), below(cell.x))),
+        x1(Quad::of(cell.x.s, cell.x.s * (cell.x.f - 1), cell.x.s, cell.x.s)),
+        y0(Quad::of(below(cell.y), below(cell.y), below(cell.y) * cell.y.f, below(cell.y))),
+        y1(Quad::of(cell.y.s, cell.y.s, cell.y.s * (cell.y.f - 1), cell.y.s)),
+        z0(Quad::of(below(cell.z), below(cell.z), below(cell.z), below(cell.z) * cell.z.f)),
+        z1(Quad::of(cell.z.s, cell.z.s, cell.z.s, cell.z.s * (cell.z.f - 1))) {}
+  DURER_INLINE Weights(const NoiseLanes& x, int i, const NoiseLanes& y, int j, const NoiseLanes& z,
+                       int k)
+      : x0(Quad::template mixed<1>(x.below[i], x.below_slope[i])),
+        x1(Quad::template mixed<1>(x.above[i], x.above_slope[i])),
+        y0(Quad::template mixed<2>(y.below[j], y.below_slope[j])),
+        y1(Quad::template mixed<2>(y.above[j], y.above_slope[j])),
+        z0(Quad::template mixed<3>(z.below[k], z.below_slope[k])),
+        z1(Quad::template mixed<3>(z.above[k], z.above_slope[k])) {}
+
+  /// What value and gradients add over the eight corners; rows start `skip` numbers behind `row`.
+  DURER_INLINE Quad parts(const double* const (&row)[8], int skip = 0) const {
     const auto edge = [&](int corner) DURER_LAMBDA_INLINE {
-      return Quad::load(cell.row[corner] + skip) * x0 +
-             Quad::load(cell.row[corner + 1] + skip) * x1;
+      return Quad::load(row[corner] + skip) * x0 + Quad::load(row[corner + 1] + skip) * x1;
     };
-    return ((edge(0) * y0 + edge(2) * y1) * z0 + (edge(4) * y0 + edge(6) * y1) * z1).sum();
+    return (edge(0) * y0 + edge(2) * y1) * z0 + (edge(4) * y0 + edge(6) * y1) * z1;
   }
 
  private:
-  struct Factors {
-    double f, s, u;
-  };
-  static DURER_INLINE Factors factors(const CellAxis& a) { return {a.f, a.s, 1 - a.s}; }
+  static DURER_INLINE double below(const CellAxis& a) { return 1 - a.s; }
 };
+
+// One noise generator over four points at a time. `Corners`: its lattice.
+template <class Quad, class Corners>
+struct Lattice {
+  using Axis = typename Corners::Axis;
+  using Register = typename Quad::Register;
+
+  /// The interpolated sums of four points, of coordinates x, y and z; only `count` of them matter.
+  static DURER_INLINE Quad four(const double* x, const double* y, const double* z, int count) {
+    NoiseLanes lanes[3];
+    fill<Register, Axis>(lanes[0], x);
+    fill<Register, Axis>(lanes[1], y);
+    fill<Register, Axis>(lanes[2], z);
+    Quad parts[4];
+    for (int i = 0; i < count; ++i) {
+      const Corners corners(lanes[0], i, lanes[1], i, lanes[2], i);
+      parts[i] = Weights<Quad>(lanes[0], i, lanes[1], i, lanes[2], i).parts(corners.row);
+    }
+    for (int i = count; i < 4; ++i) parts[i] = parts[0];
+    return Quad::sums(parts[0], parts[1], parts[2], parts[3]);
+  }
+};
+
+/// The three components of vector noise; the last lane is nothing.
+template <class Quad>
+DURER_INLINE Quad vector_noise(const Weights<Quad>& w, const double* const (&row)[8]) {
+  const Quad a = w.parts(row, 0);
+  const Quad b = w.parts(row, 16);
+  const Quad c = w.parts(row, 32);
+  return Quad::sums(a, b, c, c);
+}
+template <class Quad>
+DURER_INLINE dvec3 to_vector(Quad q) {
+  double c[4];
+  q.store(c);
+  return {c[0], c[1], c[2]};
+}
 
 DURER_INLINE double clamp01(double v) { return v < 0 ? 0 : v > 1 ? 1 : v; }
 
 template <class Quad>
-DURER_INLINE double table_noise(dvec3 p, NoiseScale scale) {
-  const Cell cell = table_cell(p.x, p.y, p.z);
-  return clamp01((Weights<Quad>(cell).sum(cell) + scale.offset) * scale.scale);
+DURER_INLINE double noise_of(double x, double y, double z, int generator) {
+  if (generator == 3) {
+    const Cell cell = gradient_cell(gradient_lattice(), x, y, z);
+    return clamp01(0.5 * (1.59 * Weights<Quad>(cell).parts(cell.row).sum() + 0.985));
+  }
+  const NoiseScale scale = noise_scale(generator);
+  const Cell cell = table_cell(x, y, z);
+  return clamp01((Weights<Quad>(cell).parts(cell.row).sum() + scale.offset) * scale.scale);
 }
+
+/// Noise at four points, of any generator.
 template <class Quad>
-DURER_INLINE double gradient_noise(const GradientLattice& lattice, dvec3 p) {
-  const Cell cell = gradient_cell(lattice, p.x, p.y, p.z);
-  return clamp01(0.5 * (1.59 * Weights<Quad>(cell).sum(cell) + 0.985));
-}
-template <class Quad>
-DURER_INLINE dvec3 vector_noise(dvec3 p) {
-  const Cell cell = table_cell(p.x, p.y, p.z);
-  const Weights<Quad> w(cell);
-  return {w.sum(cell, 0), w.sum(cell, 16), w.sum(cell, 32)};
+DURER_INLINE Quad four_noises(const double* x, const double* y, const double* z, int generator,
+                                int count) {
+  const auto all = [](double v) DURER_LAMBDA_INLINE { return Quad::of(v, v, v, v); };
+  if (generator == 3) {
+    const Quad sums = Lattice<Quad, GradientCorners>::four(x, y, z, count);
+    return (all(0.5) * (all(1.59) * sums + all(0.985))).clamped01();
+  }
+  const NoiseScale scale = noise_scale(generator);
+  return ((Lattice<Quad, TableCorners>::four(x, y, z, count) + all(scale.offset)) * all(scale.scale))
+      .clamped01();
 }
 
 template <class Quad>
-DURER_INLINE double noise_of(dvec3 p, int generator) {
-  return generator == 3 ? gradient_noise<Quad>(gradient_lattice(), p)
-                        : table_noise<Quad>(p, noise_scale(generator));
-}
-template <class Quad>
 DURER_INLINE void noise_many_of(const dvec3* p, std::size_t n, int generator, double* out) {
-  if (generator == 3) {
-    const GradientLattice& lattice = gradient_lattice();
-    for (std::size_t i = 0; i < n; ++i) out[i] = gradient_noise<Quad>(lattice, p[i]);
-  } else {
-    const NoiseScale scale = noise_scale(generator);
-    for (std::size_t i = 0; i < n; ++i) out[i] = table_noise<Quad>(p[i], scale);
+  for (std::size_t done = 0; done < n; done += 4) {
+    const int count = n - done < 4 ? static_cast<int>(n - done) : 4;
+    alignas(32) double c[3][4] = {};
+    for (int i = 0; i < count; ++i) {
+      for (int axis = 0; axis < 3; ++axis) c[axis][i] = p[done + i][axis];
+    }
+    alignas(32) double values[4];
+    four_noises<Quad>(c[0], c[1], c[2], generator, count).store(values);
+    for (int i = 0; i < count; ++i) out[done + i] = values[i];
   }
 }
+
+/// Four powers of lambda after another, from `next` on, which becomes the one after them.
 template <class Quad>
-DURER_INLINE void vnoise_many_of(const dvec3* p, std::size_t n, dvec3* out) {
-  for (std::size_t i = 0; i < n; ++i) out[i] = vector_noise<Quad>(p[i]);
+DURER_INLINE Quad four_powers(double lambda, double& next) {
+  const double a = next;
+  const double b = a * lambda;
+  const double c = b * lambda;
+  const double d = c * lambda;
+  next = d * lambda;
+  return Quad::of(a, b, c, d);
+}
+/// Four copies of a coordinate, scaled.
+template <class Quad>
+DURER_INLINE void scaled(Quad scale, double x, double* out) {
+  (scale * Quad::of(x, x, x, x)).store(out);
+}
+
+/// Noise of the next up to four octaves of `p`; `frequency` goes on to those behind.
+template <class Quad>
+DURER_INLINE Quad next_noises(dvec3 p, double lambda, double& frequency, int generator,
+                              int count) {
+  const Quad scale = four_powers<Quad>(lambda, frequency);
+  alignas(32) double c[3][4];
+  for (int axis = 0; axis < 3; ++axis) scaled(scale, p[axis], c[axis]);
+  return four_noises<Quad>(c[0], c[1], c[2], generator, count);
+}
+template <class Quad>
+DURER_INLINE void noise_octaves_of(dvec3 p, double lambda, int n, int generator, double* out) {
+  double frequency = 1;
+  for (int i = 0; i < n; i += 4) {
+    next_noises<Quad>(p, lambda, frequency, generator, std::min(n - i, 4)).store(out + i);
+  }
 }
 
 /// Only the first octave is clamped, and only by generators 2 and 3 (textures §2.7).
-template <class Quad, class Noise>
-DURER_INLINE double turbulence_sum(dvec3 p, const Octaves& o, int generator, Noise noise) {
+template <class Quad>
+DURER_INLINE double turbulence_of(dvec3 p, const Octaves& o, int generator) {
   const double scale = generator >= 2 ? 2.0 : 1.0;
   const double shift = generator >= 2 ? 0.5 : 0.0;
-  double value = clamp01(scale * noise(p) - shift);
-  double frequency = o.lambda;
-  double weight = o.omega;
-  for (int i = 2; i <= o.count; ++i) {
-    value += weight * (scale * noise(frequency * p) - shift);
-    frequency *= o.lambda;
-    weight *= o.omega;
+  double value = 0;
+  double frequency = 1;
+  double weight = 1;
+  for (int i = 0; i < o.count; i += 4) {
+    alignas(32) double n[4];
+    const int count = std::min(o.count - i, 4);
+    next_noises<Quad>(p, o.lambda, frequency, generator, count).store(n);
+    for (int k = 0; k < count; ++k) {
+      const double signal = scale * n[k] - shift;
+      value += i + k == 0 ? clamp01(signal) : weight * signal;
+      weight *= o.omega;
+    }
   }
   return value;
 }
+
 template <class Quad>
-DURER_INLINE double turbulence_of(dvec3 p, const Octaves& o, int generator) {
-  if (generator == 3) {
-    const GradientLattice& lattice = gradient_lattice();
-    return turbulence_sum<Quad>(p, o, generator, [&](dvec3 q) DURER_LAMBDA_INLINE {
-      return gradient_noise<Quad>(lattice, q);
-    });
+DURER_INLINE dvec3 vnoise_of(dvec3 p) {
+  const Cell cell = table_cell(p.x, p.y, p.z);
+  return to_vector(vector_noise(Weights<Quad>(cell), cell.row));
+}
+template <class Quad>
+DURER_INLINE void vnoise_many_of(const dvec3* p, std::size_t n, dvec3* out) {
+  for (std::size_t i = 0; i < n; ++i) out[i] = vnoise_of<Quad>(p[i]);
+}
+
+/// Calls visit(vector noise of an octave of `p`) for one after another.
+template <class Quad, class Visit>
+DURER_INLINE void for_vnoise_octaves(dvec3 p, double lambda, int n, Visit visit) {
+  double frequency = 1;
+  for (int i = 0; i < n; i += 4) {
+    const Quad scale = four_powers<Quad>(lambda, frequency);
+    NoiseLanes lanes[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      alignas(32) double c[4];
+      scaled(scale, p[axis], c);
+      fill<typename Quad::Register, TableAxis>(lanes[axis], c);
+    }
+    const int count = std::min(n - i, 4);
+    for (int k = 0; k < count; ++k) {
+      const TableCorners corners(lanes[0], k, lanes[1], k, lanes[2], k);
+      visit(vector_noise(Weights<Quad>(lanes[0], k, lanes[1], k, lanes[2], k), corners.row));
+    }
   }
-  const NoiseScale scale = noise_scale(generator);
-  return turbulence_sum<Quad>(
-      p, o, generator, [&](dvec3 q) DURER_LAMBDA_INLINE { return table_noise<Quad>(q, scale); });
 }
 template <class Quad>
 DURER_INLINE dvec3 vturbulence_of(dvec3 p, const Octaves& o) {
-  dvec3 value = vector_noise<Quad>(p);
-  double frequency = o.lambda;
-  double weight = o.omega;
-  for (int i = 2; i <= o.count; ++i) {
-    value += weight * vector_noise<Quad>(frequency * p);
-    frequency *= o.lambda;
+  Quad value = Quad::of(0, 0, 0, 0);
+  double weight = 1;
+  for_vnoise_octaves<Quad>(p, o.lambda, o.count, [&](Quad v) DURER_LAMBDA_INLINE {
+    value = value + Quad::of(weight, weight, weight, weight) * v;
     weight *= o.omega;
-  }
-  return value;
+  });
+  return to_vector(value);
+}
+/// Sum of the octaves' sizes, component by component, each half of the one before.
+template <class Quad>
+DURER_INLINE dvec3 vfolded_of(dvec3 p, int n) {
+  Quad value = Quad::of(0, 0, 0, 0);
+  double weight = 1;
+  for_vnoise_octaves<Quad>(p, 2, n, [&](Quad v) DURER_LAMBDA_INLINE {
+    value = value + Quad::of(weight, weight, weight, weight) * v.abs();
+    weight *= 0.5;
+  });
+  return to_vector(value);
 }
 
 }  // namespace
@@ -124,12 +270,12 @@ DURER_INLINE dvec3 vturbulence_of(dvec3 p, const Octaves& o) {
 #define DURER_NOISE_KERNELS(name, Quad, target)                                                  \
   namespace name {                                                                               \
   target double noise(double x, double y, double z, int g) {                                     \
-    return noise_of<Quad>({x, y, z}, g);                                                         \
+    return noise_of<Quad>(x, y, z, g);                                                           \
   }                                                                                              \
   target void noise_many(const dvec3* p, std::size_t n, int g, double* out) {                    \
     noise_many_of<Quad>(p, n, g, out);                                                           \
   }                                                                                              \
-  target dvec3 vnoise(dvec3 p) { return vector_noise<Quad>(p); }                                 \
+  target dvec3 vnoise(dvec3 p) { return vnoise_of<Quad>(p); }                                    \
   target void vnoise_many(const dvec3* p, std::size_t n, dvec3* out) {                           \
     vnoise_many_of<Quad>(p, n, out);                                                             \
   }                                                                                              \
@@ -137,7 +283,12 @@ DURER_INLINE dvec3 vturbulence_of(dvec3 p, const Octaves& o) {
     return turbulence_of<Quad>(p, o, g);                                                         \
   }                                                                                              \
   target dvec3 vturbulence(dvec3 p, const Octaves& o) { return vturbulence_of<Quad>(p, o); }     \
-  constexpr NoiseKernels table{noise, noise_many, vnoise, vnoise_many, turbulence, vturbulence}; \
+  target void noise_octaves(dvec3 p, double lambda, int n, int g, double* out) {                 \
+    noise_octaves_of<Quad>(p, lambda, n, g, out);                                                \
+  }                                                                                              \
+  target dvec3 vfolded(dvec3 p, int n) { return vfolded_of<Quad>(p, n); }                        \
+  constexpr NoiseKernels table{noise,      noise_many,  vnoise,        vnoise_many,              \
+                               turbulence, vturbulence, noise_octaves, vfolded};                 \
   }
 
 namespace {

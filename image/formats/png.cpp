@@ -1,11 +1,14 @@
 // Portable Network Graphics, 8 or 16 bits. Greyscale is always 16 bits, as in the oracle.
 // The curve goes into an sRGB or a gAMA chunk. Written by libpng itself, not through OpenImageIO:
 // nearly every picture is a PNG, and loading OpenImageIO takes longer than rendering many a scene.
+// libpng makes the chunks around the pixels; these are compressed by png_rows.h.
 #include <png.h>
 
+#include <algorithm>
 #include <csetjmp>
 
 #include "image/codes.h"
+#include "image/png_rows.h"
 
 namespace durer::image {
 namespace {
@@ -20,13 +23,13 @@ void keep_message(png_structp png, const char* message) {
   png_longjmp(png, 1);
 }
 
-void write_header(png_structp png, png_infop info, const Image& image, const Codes& codes,
+void write_header(png_structp png, png_infop info, const Image& image, const Coder& coder,
                   const Encoding& encoding) {
   static constexpr int colour_types[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA,
                                          PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGB_ALPHA};
   png_set_IHDR(png, info, static_cast<png_uint_32>(image.width),
-               static_cast<png_uint_32>(image.height), codes.sample_bits,
-               colour_types[codes.channels - 1], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+               static_cast<png_uint_32>(image.height), coder.sample_bits(),
+               colour_types[coder.channels() - 1], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                PNG_FILTER_TYPE_DEFAULT);
   const GammaCurve curve = stored_curve(encoding);
   if (curve.kind == GammaCurve::Kind::srgb) {
@@ -34,46 +37,58 @@ void write_header(png_structp png, png_infop info, const Image& image, const Cod
   } else {
     png_set_gAMA(png, info, curve.kind == GammaCurve::Kind::power ? 1.0 / curve.gamma : 1.0);
   }
-  if (encoding.compression >= 0) png_set_compression_level(png, encoding.compression);
   png_write_info(png, info);
 }
 
-/// Samples as PNG stores them: 16-bit ones with the high byte first.
-std::vector<unsigned char> to_bytes(const Codes& codes) {
-  std::vector<unsigned char> bytes;
-  bytes.reserve(codes.values.size() * (codes.sample_bits == 16 ? 2 : 1));
-  for (const std::uint16_t v : codes.values) {
-    if (codes.sample_bits == 16) bytes.push_back(static_cast<unsigned char>(v >> 8));
-    bytes.push_back(static_cast<unsigned char>(v & 0xFF));
+/// The compressed rows; empty if memory ran out.
+std::vector<unsigned char> compressed(const Image& image, const Encoding& encoding, Coder& coder) {
+  const std::size_t samples = static_cast<std::size_t>(image.width) * coder.channels();
+  const std::size_t width = coder.sample_bits() / 8U;
+  PngRows rows(samples * width, coder.channels() * width, encoding.compression);
+  std::vector<std::uint16_t> codes(samples);
+  std::vector<unsigned char> bytes(samples * width);
+  for (int y = 0; y < image.height; ++y) {
+    coder.row(y, codes);
+    if (width == 1) {
+      std::copy(codes.begin(), codes.end(), bytes.begin());
+    } else {  // the high byte comes first
+      for (std::size_t i = 0; i < samples; ++i) {
+        bytes[2 * i] = static_cast<unsigned char>(codes[i] >> 8);
+        bytes[2 * i + 1] = static_cast<unsigned char>(codes[i] & 0xFF);
+      }
+    }
+    rows.add(bytes);
   }
-  return bytes;
+  return rows.finish();
 }
 
 /// False if libpng stopped with an error: it jumps back to here, so nothing in this function may
 /// have a destructor, and it must not become part of one that has.
-[[gnu::noinline]] bool run(png_structp png, png_infop info, const Image& image, const Codes& codes,
-                           const Encoding& encoding, const unsigned char* rows,
-                           std::size_t stride) {
+[[gnu::noinline]] bool run(png_structp png, png_infop info, const Image& image, const Coder& coder,
+                           const Encoding& encoding, const std::vector<unsigned char>& stream) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
-  write_header(png, info, image, codes, encoding);
-  for (int y = 0; y < image.height; ++y)
-    png_write_row(png, rows + static_cast<std::size_t>(y) * stride);
-  png_write_end(png, nullptr);
+  write_header(png, info, image, coder, encoding);
+  constexpr std::size_t most = 1 << 20;  // of a chunk
+  for (std::size_t at = 0; at < stream.size(); at += most) {
+    png_write_chunk(png, reinterpret_cast<png_const_bytep>("IDAT"), stream.data() + at,
+                    std::min(most, stream.size() - at));
+  }
+  png_write_chunk(png, reinterpret_cast<png_const_bytep>("IEND"), nullptr, 0);
   return true;
 }
 
 Encoded encode(const Image& image, const Encoding& encoding) {
   if (image.width <= 0 || image.height <= 0) return {.bytes = {}, .error = "it has no pixels"};
   const Depth depth = depth_for(encoding.greyscale ? 16 : encoding.bits);
-  const Codes codes = to_codes(image, encoding, depth, encoding.alpha);
-  const std::vector<unsigned char> rows = to_bytes(codes);
+  Coder coder(image, encoding, depth, encoding.alpha);
+  const std::vector<unsigned char> stream = compressed(image, encoding, coder);
   Encoded file;
   std::string message = "out of memory";
+  if (stream.empty()) return {.bytes = {}, .error = std::move(message)};
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, keep_message, nullptr);
   png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
   if (info != nullptr) png_set_write_fn(png, &file.bytes, append, nullptr);
-  const bool whole = info != nullptr && run(png, info, image, codes, encoding, rows.data(),
-                                            rows.size() / static_cast<std::size_t>(image.height));
+  const bool whole = info != nullptr && run(png, info, image, coder, encoding, stream);
   png_destroy_write_struct(&png, &info);
   if (!whole) return {.bytes = {}, .error = std::move(message)};
   return file;

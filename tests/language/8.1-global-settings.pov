@@ -65,12 +65,10 @@ global_settings { radiosity { distance_maximum 1 } }
 //= item photons
 global_settings { photons { count 1000 } } sphere { 0, 1 photons { target reflection on } } #debug "fine\n"
 // expect: fine
-// later: photons
 
 //= item subsurface
 global_settings { subsurface { samples 20, 10 radiosity off } } #debug "fine\n"
 // expect: fine
-// later: subsurface
 
 //= @ has no value
 global_settings { @

@@ -101,3 +101,12 @@ ARRAYS_WriteDF3(A, "t.df3", 8)
 ARRAYS_WriteDF3(A, "t16.df3", 16)
 #debug concat(str(file_exists("t.df3") + file_exists("t16.df3"), 0, 9), "\n")
 // expect: 2.000000000
+
+//= ARRAYS_Temp, which in POV-Ray is seen only from within ARRAYS_WriteDF3
+#declare A = array[2][3] { {0.1, 0.2, 0.3}, {0.4, 0.5, 0.6} }
+ARRAYS_WriteDF3(A, "t.df3", 8)
+#debug concat(str(ARRAYS_Temp(A, 1, 2, 7), 0, 9), "\n")
+#debug concat(str(ARRAYS_Temp(A, 0, 1, 0), 0, 9), "\n")
+// beyond
+// expect: 0.600000000
+// expect: 0.200000000

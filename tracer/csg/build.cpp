@@ -1,9 +1,70 @@
 #include "tracer/csg/build.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "tracer/primitives/describe.h"
+#include "tracer/primitives/registry.h"
 
 namespace durer::tracer {
 namespace {
+
+/// `t` with what is only rounding made zero, so that axes that are parallel are so exactly.
+std::optional<Transform> without_dust(const Affine& t) {
+  std::array<double, 12> m{t.x.x, t.x.y, t.x.z, t.y.x, t.y.y, t.y.z,
+                           t.z.x, t.z.y, t.z.z, t.t.x, t.t.y, t.t.z};
+  double greatest = 0;
+  for (std::size_t i = 0; i < 9; ++i) greatest = std::max(greatest, std::abs(m[i]));
+  for (std::size_t i = 0; i < 9; ++i) {
+    if (std::abs(m[i]) < 1e-13 * greatest) m[i] = 0;
+  }
+  return Transform::matrix(m);
+}
+
+/// The inside of an intersection as far as those of its children tell that are leaves, in a space
+/// whose map to the world is `frame`.
+Bounds3 inside_in(const Flat& flat, const FlatNode& node, const Transform& frame) {
+  std::vector<std::pair<TypeStores, ShapeRef>> placed;
+  Bounds3 inside = Bounds3::everything();
+  for (const std::uint32_t child : node.children) {
+    if (flat.nodes[child].op != Op::leaf) continue;
+    const FlatLeaf& part = flat.parts[flat.nodes[child].part];
+    const PrimitiveType& type = *primitive_types()[part.object->type];
+    const auto to_frame = without_dust(part.to_world->forward.then(frame.backward));
+    if (type.place_whole != nullptr || !to_frame) continue;
+    TypeStores stores = type.make_stores();
+    const auto ref = place_object(type, stores, *part.object, {}, *to_frame, part.inverted);
+    if (!ref || ref->inverted) continue;
+    inside = inside.intersection(ref->store->inside_bounds(ref->shape));
+    placed.emplace_back(std::move(stores), *ref);
+  }
+  constexpr int rounds = 2;  // they may bound each other
+  for (int i = 0; i < rounds && !inside.empty(); ++i) {
+    for (const auto& [stores, ref] : placed) {
+      inside = inside.intersection(ref.store->inside_within(ref.shape, inside));
+    }
+  }
+  return inside;
+}
+
+/// What has been turned as a whole, half-spaces and all, has closer bounds along its own axes.
+void bound_turned(const Flat& flat, const FlatNode& node, Bounds3& inside) {
+  constexpr int most = 3;  // leaves whose axes are tried
+  int tried = 0;
+  for (const std::uint32_t child : node.children) {
+    if (inside.empty() || tried == most) return;
+    if (flat.nodes[child].op != Op::leaf) continue;
+    const SharedTransform& frame = flat.parts[flat.nodes[child].part].to_world;
+    if (frame.is_identity()) continue;
+    ++tried;
+    const Bounds3 own = inside_in(flat, node, frame);
+    if (own.empty()) return void(inside = own);
+    if (own.infinite()) continue;
+    inside = inside.intersection(BoxTree::grown(own).transformed(frame->forward));
+  }
+}
 
 class SolidBuilder {
  public:
@@ -42,10 +103,14 @@ class SolidBuilder {
     Extent extent;
     if (node.op == Op::all) extent.inside = Bounds3::everything();
     std::vector<std::uint32_t> leaves;  // among the children
+    bool endless = false;               // one of them has no box
     for (const std::uint32_t child : node.children) {
       const Extent e = add(child, index);
       if (e.value) ++solid_.counts[index];
-      if (e.leaf != no_node) leaves.push_back(e.leaf);
+      if (e.leaf != no_node) {
+        leaves.push_back(e.leaf);
+        endless = endless || (e.inside.infinite() && !solid_.leaves[e.leaf].inverted);
+      }
       extent.surface.add(e.surface);
       if (node.op == Op::all) {
         extent.inside = extent.inside.intersection(e.inside);
@@ -53,7 +118,10 @@ class SolidBuilder {
         extent.inside.add(e.inside);
       }
     }
-    if (node.op == Op::all) tighten(leaves, extent.inside);
+    if (node.op == Op::all) {
+      tighten(leaves, extent.inside);
+      if (endless) bound_turned(flat_, node, extent.inside);
+    }
     // A surface counts inside the others and lies on the border of its own inside.
     if (node.op == Op::all) extent.surface = extent.surface.intersection(extent.inside);
     extent.value = solid_.nodes[index].value(solid_.counts[index]);

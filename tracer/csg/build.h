@@ -15,6 +15,9 @@ using PlacePart = std::function<std::optional<ShapeRef>(const FlatLeaf&)>;
 /// Appends the solid below `node` to `parts` and returns its index.
 std::uint32_t add_solid(Parts& parts, const Flat& flat, std::uint32_t node, const PlacePart& place);
 
+/// Every ray that passes the gate meets this box.
+[[nodiscard]] Bounds3 gate_bounds(const Parts& parts, std::uint32_t gate);
+
 /// True if every ray that meets `box` surely passes the gate: then it need not be asked.
 [[nodiscard]] bool gate_holds(const Parts& parts, std::uint32_t gate, const Bounds3& box);
 

@@ -49,6 +49,19 @@ bool gate_open(std::uint32_t gate, const RayQuery& query) {
   return true;
 }
 
+Bounds3 gate_bounds(const Parts& parts, std::uint32_t gate) {
+  Bounds3 all = Bounds3::everything();
+  for (auto g = gate; g != scene::none; g = parts.gates[g].outer) {
+    all = all.intersection(parts.gates[g].box);
+    for (const std::uint32_t solid : parts.gates[g].solids) {
+      Bounds3 one = parts.solids[solid].surface;
+      one.add(parts.solids[solid].inside);
+      all = all.intersection(one);
+    }
+  }
+  return all;
+}
+
 bool gate_holds(const Parts& parts, std::uint32_t gate, const Bounds3& box) {
   if (box.infinite()) return false;
   for (auto g = gate; g != scene::none; g = parts.gates[g].outer) {

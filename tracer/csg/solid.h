@@ -51,6 +51,8 @@ struct Solid {
   std::vector<std::uint32_t> leaf_of_box;
   Bounds3 surface;  // nothing is seen outside …
   Bounds3 inside;   // … and no point is inside outside this one
+  /// A ray that misses this sees nothing, though there may be surface outside of it: `bounded_by`.
+  Bounds3 gate = Bounds3::everything();
   // Where this solid's part of the arrays of SweepState begins.
   std::uint32_t first_node = 0;
   std::uint32_t first_leaf = 0;

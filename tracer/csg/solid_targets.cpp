@@ -29,6 +29,11 @@ void SolidTargets::nearest_of(const Targets& targets, std::uint32_t index, RayQu
   const auto& self = static_cast<const SolidTargets&>(targets);
   if ((self.tags[index].mask & query.mask) == 0) return;
   const Solid& solid = self.parts_->solids[self.solids_[index]];
+  if (!solid.gate.infinite()) {
+    double t_from = t_min;
+    double t_to = no_hit_depth;
+    if (!BoxTree::clip(solid.gate, query.ray.o, 1.0 / query.ray.d, t_from, t_to)) return;
+  }
   Sweep sweep(solid, *query.sweep, query.sweep->solids);
   if (!sweep.begin(query.ray, query.t_from, query.t_to, query.mask)) return;
   sweep.walk(query.t_from, query.t_to, [&](const SolidLeaf& leaf, const Crossing& crossing) {

@@ -12,7 +12,9 @@ constexpr Pixel nothing(0.0F, 0.0F, 0.0F, 1.0F);  // transparent black
 
 // Well-mixed start of the random numbers of one sample.
 std::uint32_t seed(double x, double y, std::uint32_t index) {
-  const auto whole = [](double v) { return static_cast<std::uint32_t>(std::lround(v)); };
+  const auto whole = [](double v) {
+    return static_cast<std::uint32_t>(static_cast<std::int64_t>(v < 0 ? v - 0.5 : v + 0.5));
+  };
   std::uint32_t h = whole(x) * 0x8DA6B343U ^ whole(y) * 0xD8163841U ^ index * 0xCB1AB31FU;
   return mixed(h);
 }
@@ -35,7 +37,9 @@ Eye::Eye(const Viewpoint& view)
     : view_(&view),
       scratch_(*view.scene),
       tracer_(*view.scene, scratch_, view.options->alpha),
-      paths_(*view.scene, scratch_, view.options->alpha, view.options->paths) {}
+      paths_(*view.scene, scratch_, view.options->alpha, view.options->paths) {
+  scratch_.photons = view.photons;
+}
 
 void Eye::begin(const IrradianceCache* cache, std::uint32_t seed) {
   const std::optional<RadiosityProgram>& r = view_->scene->radiosity;

@@ -22,6 +22,7 @@ struct Viewpoint {
   bool one_origin = true;  // all rays start where the camera is
   int turns = 1;           // rays per sample
   double reach = no_hit_depth;
+  const PhotonMaps* photons = nullptr;  // once they are shot
 };
 
 /// Looks, on behalf of one thread.

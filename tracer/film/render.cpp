@@ -12,6 +12,7 @@
 #include "tracer/film/progress.h"
 #include "tracer/film/progressive.h"
 #include "tracer/film/threads.h"
+#include "tracer/transport/photon_shooting.h"
 
 namespace durer::tracer {
 namespace {
@@ -184,13 +185,15 @@ RenderResult render(const CompiledScene& scene, const RenderOptions& options,
   std::optional<Checkpoint> own;
   Checkpoint& film = checkpoint ? *checkpoint : own.emplace(options);
   ProgressMeter meter(work_left(scene, options, blocks, film), on_progress, cancel);
-  const Viewpoint view(scene, options);
+  RenderResult result;
+  Viewpoint view(scene, options);
   if (scene.quality.path) {
     render_passes(view, blocks, threads, meter, film);
   } else {
+    const PhotonMaps photons = shoot_photons(scene, threads, meter, result.warning);
+    view.photons = &photons;
     render_blocks(view, blocks, threads, meter, film);
   }
-  RenderResult result;
   result.final = meter.now();
   result.cancelled = meter.cancelled();
   if (own || !result.cancelled) result.image = std::move(film.image);

@@ -74,6 +74,7 @@ Light compile_light(const scene::Light& in, bool areas) {
   light.fade_distance = in.fade_distance;
   light.fade_power = in.fade_power;
   light.media_interaction = in.media_interaction;
+  light.photons = in.photons;
   return light;
 }
 

@@ -25,6 +25,7 @@ struct Light {
   scene::LightArea area;
   std::uint32_t projector = scene::none;  // index into CompiledScene::projectors
   bool media_interaction = true;
+  scene::LightPhotons photons;
 };
 
 /// `areas`: lamps of some extent are such; else they are points.

@@ -9,6 +9,8 @@
 namespace durer::tracer::patterns {
 namespace {
 
+using functions::simd::Smallest3;
+
 // Distances to the nearest random points, weighted, or noise at the nearest one (textures §5.1).
 struct Crackle {
   bool solid = false;
@@ -16,6 +18,9 @@ struct Crackle {
   dvec3 form{-1, 1, 0};
   dvec3 metric{2, 2, 2};  // its x; a vector because it may be written as one
   functions::NoiseGenerator generator = 2;
+  std::int32_t whole_metric = 2;  // the same if it is a small whole number, else 0
+  std::uint32_t asked = 3;        // so many of the smallest distances matter
+  double added = 0;               // to the power of the metric
 
   static constexpr std::array operands{
       keyword<&Crackle::solid>("solid", "one value in each cell"),
@@ -28,57 +33,77 @@ struct Crackle {
       Sample{{-1.5, 2.25, 7.75}, 0.244286441802},
       Sample{{123.4, -56.7, 8.9}, 0.275341406851},
   };
-  void prepare(const PatternContext& context) { generator = context.noise_generator; }
+  void prepare(const PatternContext& context) {
+    generator = context.noise_generator;
+    const double m = metric.x;
+    whole_metric = m >= 1 && m <= 8 && m == std::floor(m) ? static_cast<std::int32_t>(m) : 0;
+    asked = form.z != 0 ? 3 : form.y != 0 ? 2 : 1;
+    if (offset != 0) added = std::pow(static_cast<double>(offset), m);
+  }
 
   double operator()(dvec3 p) const {
-    const Nearest nearest = search(p);
-    if (solid) return functions::noise(nearest.point, generator);
+    CrackleCell& cell = crackle_cell(CrackleCube::around(p));
+    if (solid) return functions::noise(nearest(cell, p), generator);
+    const Smallest3 powers = distances(cell, p);
     double sum = 0;
-    for (int i = 0; i < 3; ++i) sum += form[i] * length(nearest.power[static_cast<std::size_t>(i)]);
+    for (std::uint32_t i = 0; i < asked; ++i) sum += form[static_cast<int>(i)] * length(powers[i]);
     return std::clamp(sum, 0.0, 1.0);
   }
 
  private:
-  struct Nearest {
-    std::array<double, 3> power;  // distances to the power of the metric, ascending
-    dvec3 point{0.0};
-  };
-
   double power(double x) const {
-    const double exponent = metric.x;
-    return exponent == 2 ? x * x : exponent == 1 ? std::abs(x) : std::pow(std::abs(x), exponent);
+    x = std::abs(x);
+    if (whole_metric == 0) return std::pow(x, metric.x);
+    double product = x;
+    for (int i = 1; i < whole_metric; ++i) product *= x;
+    return product;
   }
+  double distance(dvec3 d) const { return power(d.x) + power(d.y) + power(d.z); }
   double length(double d) const {
-    const double exponent = metric.x;
-    if (offset != 0) d += std::pow(static_cast<double>(offset), exponent);
-    return exponent == 2 ? std::sqrt(d) : exponent == 1 ? d : std::pow(d, 1 / exponent);
+    d += added;
+    return metric.x == 2 ? std::sqrt(d) : metric.x == 1 ? d : std::pow(d, 1 / metric.x);
   }
-  // The least power that one coordinate adds for a point in a cube `step` cubes away.
-  double gap(double f, int step) const {
-    if (step == 0 || metric.x <= 0) return 0;
-    return power(step > 0 ? step - f : f - step - 1);
+  /// True if no point of the farther cubes can be within `least`, a power of a distance.
+  bool near_is_enough(const CrackleCell& cell, dvec3 p, double least) const {
+    return metric.x > 0 && least <= power(cell.distance_to_far(p));
   }
 
-  Nearest search(dvec3 p) const {
-    constexpr double far = std::numeric_limits<double>::infinity();
-    Nearest out{{far, far, far}, p};
-    const std::int64_t x = crackle_cell(p.x);
-    const std::int64_t y = crackle_cell(p.y);
-    const std::int64_t z = crackle_cell(p.z);
-    const dvec3 f = p - dvec3(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
-    for (const CrackleCube& c : crackle_cubes) {
-      if (gap(f.x, c.x) + gap(f.y, c.y) + gap(f.z, c.z) > out.power[2]) continue;
-      const dvec3 q = crackle_point(x + c.x, y + c.y, z + c.z);
-      const double d = power(q.x - p.x) + power(q.y - p.y) + power(q.z - p.z);
-      if (d < out.power[0]) {
-        out = {{d, out.power[0], out.power[1]}, q};
-      } else if (d < out.power[1]) {
-        out.power = {out.power[0], d, out.power[1]};
-      } else {
-        out.power[2] = std::min(out.power[2], d);
+  Smallest3 distances(CrackleCell& cell, dvec3 p) const {
+    Smallest3 found = functions::simd::nothing_near;
+    add(cell.near, p, found);
+    if (!near_is_enough(cell, p, found[asked - 1])) add(far_points(cell), p, found);
+    return found;
+  }
+  template <std::size_t n>
+  void add(const CracklePoints<n>& points, dvec3 p, Smallest3& found) const {
+    if (whole_metric != 0) {
+      found = functions::simd::smallest_distances(points.list(), p, whole_metric, found);
+      return;
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      double d = distance(points[i] - p);
+      for (double& f : found) {
+        if (d < f) std::swap(d, f);
       }
     }
-    return out;
+  }
+
+  dvec3 nearest(CrackleCell& cell, dvec3 p) const {
+    double least = std::numeric_limits<double>::infinity();
+    dvec3 found = p;
+    look(cell.near, p, least, found);
+    if (!near_is_enough(cell, p, least)) look(far_points(cell), p, least, found);
+    return found;
+  }
+  template <std::size_t n>
+  void look(const CracklePoints<n>& points, dvec3 p, double& least, dvec3& found) const {
+    for (std::size_t i = 0; i < n; ++i) {
+      const double d = distance(points[i] - p);
+      if (d < least) {
+        least = d;
+        found = points[i];
+      }
+    }
   }
 };
 

@@ -2,55 +2,52 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 
-#include "functions/noise.h"
+#include "functions/simd/nearest_points.h"
 
 namespace durer::tracer::patterns {
 
-/// One of the 81 cubes around a point's own that may hold one of the points nearest to it.
+/// A cube of the lattice.
 struct CrackleCube {
-  int x, y, z;
+  std::int64_t x = 0, y = 0, z = 0;
+
+  /// That in which crackle finds `p`: the lower one exactly at whole numbers.
+  [[nodiscard]] static CrackleCube around(dvec3 p);
+  bool operator==(const CrackleCube&) const = default;
 };
 
-/// Nearest cubes first.
-inline constexpr std::array<CrackleCube, 81> crackle_cubes = [] {
-  std::array<CrackleCube, 81> cubes{};
-  std::size_t n = 0;
-  for (int x = -2; x <= 2; ++x) {
-    for (int y = -2; y <= 2; ++y) {
-      for (int z = -2; z <= 2; ++z) {
-        const int far = (x * x == 4) + (y * y == 4) + (z * z == 4);
-        if (far <= 1) {
-          cubes[n++] = {x, y, z};
-        }
-      }
-    }
-  }
-  const auto size = [](const CrackleCube& c) { return c.x * c.x + c.y * c.y + c.z * c.z; };
-  for (std::size_t i = 1; i < cubes.size(); ++i) {  // insertion sort: stable, and constexpr
-    for (std::size_t k = i; k > 0 && size(cubes[k]) < size(cubes[k - 1]); --k) {
-      const CrackleCube swapped = cubes[k];
-      cubes[k] = cubes[k - 1];
-      cubes[k - 1] = swapped;
-    }
-  }
-  return cubes;
-}();
+/// Some of the random points around a cube.
+template <std::size_t n>
+struct CracklePoints {
+  // Whole groups of four; what is too much lies far away.
+  static constexpr std::size_t count = n;
+  static constexpr std::size_t room = (n + 3) / 4 * 4;
+  alignas(32) std::array<double, room> x, y, z;
 
-/// The cube that crackle finds a coordinate in: one lower exactly at whole numbers.
-[[nodiscard]] inline std::int64_t crackle_cell(double x) {
-  return static_cast<std::int64_t>(std::floor(x - epsilon));
-}
+  [[nodiscard]] functions::simd::PointList list() const {
+    return {x.data(), y.data(), z.data(), static_cast<int>(room)};
+  }
+  [[nodiscard]] dvec3 operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
+};
 
-/// The random point of a cube.
-[[nodiscard]] inline dvec3 crackle_point(std::int64_t x, std::int64_t y, std::int64_t z) {
-  const auto s = static_cast<unsigned>(
-      functions::hash3(static_cast<int>(x), static_cast<int>(y), static_cast<int>(z)));
-  return {static_cast<double>(x) + functions::uniform_table(s),
-          static_cast<double>(y) + functions::uniform_table(s + 1),
-          static_cast<double>(z) + functions::uniform_table(s + 2)};
-}
+/// The 81 cubes that may hold one of the points nearest to a point in the middle one: those beside
+/// it, and those one farther that are at most one farther along one axis only.
+struct CrackleCell {
+  CrackleCube cube;
+  CracklePoints<27> near;
+  CracklePoints<54> far;
+  bool near_known = false;
+  bool far_known = false;
+
+  /// What lies in `far` is at least so far away from `p` along some axis.
+  [[nodiscard]] double distance_to_far(dvec3 p) const;
+};
+
+/// The cell around a cube, with the points near it; they depend on the cube alone. A thread keeps
+/// the last few: what is looked up is nearly always beside what was looked up before.
+[[nodiscard]] CrackleCell& crackle_cell(const CrackleCube& cube);
+/// The points of its farther cubes.
+[[nodiscard]] const CracklePoints<54>& far_points(CrackleCell& cell);
 
 }  // namespace durer::tracer::patterns

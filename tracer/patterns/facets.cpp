@@ -44,17 +44,18 @@ struct Facets {
   dvec3 nearest(dvec3 t) const {
     dvec3 found(0.0);
     double least = std::numeric_limits<double>::infinity();
-    const std::int64_t x = crackle_cell(t.x);
-    const std::int64_t y = crackle_cell(t.y);
-    const std::int64_t z = crackle_cell(t.z);
-    for (const CrackleCube& c : crackle_cubes) {
-      const dvec3 q = crackle_point(x + c.x, y + c.y, z + c.z);
-      const double d = distance(q - t);
-      if (d < least) {
-        least = d;
-        found = q;
+    const auto look = [&](const auto& points) {
+      for (std::size_t i = 0; i < points.count; ++i) {
+        const double d = distance(points[i] - t);
+        if (d < least) {
+          least = d;
+          found = points[i];
+        }
       }
-    }
+    };
+    CrackleCell& cell = crackle_cell(CrackleCube::around(t));
+    look(cell.near);
+    look(far_points(cell));
     return found;
   }
 };

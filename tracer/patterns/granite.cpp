@@ -8,6 +8,7 @@ namespace {
 
 // Six octaves of folded noise (textures §5).
 struct Granite {
+  static constexpr int octaves = 6;
   functions::NoiseGenerator generator = 2;
 
   static constexpr std::array samples{
@@ -17,12 +18,13 @@ struct Granite {
   };
   void prepare(const PatternContext& context) { generator = context.noise_generator; }
   double operator()(dvec3 p) const {
+    std::array<double, 8> noise;
+    functions::noise_octaves(4.0 * p, 2, octaves, generator, noise.data());
     double sum = 0;
-    double frequency = 1;
-    for (int i = 0; i < 6; ++i, frequency *= 2) {
-      const double n = functions::noise(4 * frequency * p, generator);
-      const double t = generator < 2 ? std::abs(0.5 - n) : std::min(std::abs(1 - 2 * n), 0.5);
-      sum += t / frequency;
+    double weight = 1;
+    for (int i = 0; i < octaves; ++i, weight /= 2) {
+      const double n = noise[static_cast<std::size_t>(i)];
+      sum += weight * (generator < 2 ? std::abs(0.5 - n) : std::min(std::abs(1 - 2 * n), 0.5));
     }
     return sum;
   }

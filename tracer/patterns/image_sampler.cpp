@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/gamma.h"
+#include "tracer/patterns/remainder.h"
 #include "tracer/warps/orientation.h"
 
 namespace durer::tracer {
@@ -19,14 +20,9 @@ using Interpolation = scene::Image::Interpolation;
 double turn(double x, double z) { return warps::angle_about_y(x, z) / (2 * std::numbers::pi); }
 
 double wrapped(double x, double size) {
-  x = std::fmod(x, size);
+  x = remainder_of_single(x, size);
   if (x < 0) x += size;
   return x < size ? x : 0;  // adding may have rounded up
-}
-
-std::int64_t wrapped(std::int64_t i, std::int64_t size) {
-  i %= size;
-  return i < 0 ? i + size : i;
 }
 
 /// The oracle keeps grey bytes of PNG files as bytes, of the weighted sum of three equal parts; it
@@ -62,6 +58,7 @@ ImageSampler::ImageSampler(const scene::Image& image)
   if (!picture_->palette.empty()) make_palette();
   opaque_ = !has_alpha_ && !image.once && image.filter_all.value_or(0) == 0 &&
             image.transmit_all.value_or(0) == 0 && image.filter.empty() && image.transmit.empty();
+  plain_ = palette_.empty() && !picture_->is_real() && picture_->channels == 3;
 }
 
 void ImageSampler::make_codes() {
@@ -90,8 +87,8 @@ std::optional<dvec2> ImageSampler::locate(dvec3 p) const {
   switch (image_.projection) {
     case Projection::planar:
       if (image_.once && (p.x < 0 || p.x > 1 || p.y < 0 || p.y > 1)) return std::nullopt;
-      u = std::fmod(p.x * extent_.x, extent_.x);
-      v = std::fmod(p.y * extent_.y, extent_.y);
+      u = remainder_of_single(p.x * extent_.x, extent_.x);
+      v = remainder_of_single(p.y * extent_.y, extent_.y);
       break;
     case Projection::spherical: {
       const double r = glm::length(p);
@@ -106,7 +103,7 @@ std::optional<dvec2> ImageSampler::locate(dvec3 p) const {
       if (image_.once && (p.y < 0 || p.y > 1)) return std::nullopt;
       if (p.x == 0 && p.z == 0) return std::nullopt;
       u = turn(p.x, p.z) * extent_.x;
-      v = std::fmod(p.y * extent_.y, extent_.y);
+      v = remainder_of_single(p.y * extent_.y, extent_.y);
       break;
     case Projection::toroidal: {
       const double l = std::sqrt(p.x * p.x + p.z * p.z);
@@ -126,17 +123,17 @@ std::optional<dvec2> ImageSampler::locate(dvec3 p) const {
   return dvec2(wrapped(u, size_.x), wrapped(-v, size_.y));
 }
 
-std::size_t ImageSampler::column(std::int64_t x) const {
-  return static_cast<std::size_t>(image_.once ? std::clamp(x, std::int64_t{0}, width_ - 1)
-                                              : wrapped(x, width_));
-}
-std::size_t ImageSampler::row(std::int64_t y) const {
-  return static_cast<std::size_t>(image_.once ? std::clamp(y, std::int64_t{0}, height_ - 1)
-                                              : wrapped(y, height_));
+// Columns and rows are at most a few pixels outside.
+std::size_t ImageSampler::inside(std::int64_t i, std::int64_t size) const {
+  if (image_.once) return static_cast<std::size_t>(std::clamp(i, std::int64_t{0}, size - 1));
+  while (i < 0) i += size;
+  while (i >= size) i -= size;
+  return static_cast<std::size_t>(i);
 }
 
 Colour ImageSampler::stored_pixel(std::size_t at) const {
   const std::uint32_t n = picture_->channels;
+  at *= n;
   Colour c;
   if (picture_->is_real()) {
     const float* s = &picture_->samples[at];
@@ -153,20 +150,32 @@ Colour ImageSampler::stored_pixel(std::size_t at) const {
   return c;
 }
 
-Colour ImageSampler::pixel(std::int64_t x, std::int64_t y) const {
-  const std::size_t at =
-      (row(y) * picture_->width + column(x)) * static_cast<std::size_t>(picture_->channels);
+Colour ImageSampler::pixel(std::size_t at) const {
   if (!palette_.empty()) {
     return palette_[std::min<std::size_t>(picture_->codes[at], palette_.size() - 1)];
   }
   return stored_pixel(at);
 }
 
-/// Weights of the pixels around a place, as `visit(x, y, weight)` gets them (textures §12.3).
+/// Calls visit(pixel, weight) for a square of pixels, of which (x, y) is the upper left one.
+template <std::size_t n, typename Visit>
+void ImageSampler::weigh_square(std::int64_t x, std::int64_t y, const std::array<double, n>& wx,
+                                const std::array<double, n>& wy, Visit visit) const {
+  std::array<std::size_t, n> columns;
+  for (std::size_t i = 0; i < n; ++i) columns[i] = inside(x + static_cast<int>(i), width_);
+  for (std::size_t j = 0; j < n; ++j) {
+    const std::size_t row = inside(y + static_cast<int>(j), height_) * picture_->width;
+    for (std::size_t i = 0; i < n; ++i) visit(row + columns[i], wx[i] * wy[j]);
+  }
+}
+
+/// The pixels around a place and their weights (textures §12.3).
 template <typename Visit>
 void ImageSampler::weigh(dvec2 at, Visit visit) const {
   if (image_.interpolation == Interpolation::nearest) {
-    return visit(static_cast<std::int64_t>(at.x), static_cast<std::int64_t>(at.y), 1.0);
+    return visit(inside(static_cast<std::int64_t>(at.y), height_) * picture_->width +
+                     inside(static_cast<std::int64_t>(at.x), width_),
+                 1.0);
   }
   // Pixels have their centres at halves.
   const auto i = static_cast<std::int64_t>(at.x + 0.5);
@@ -176,20 +185,17 @@ void ImageSampler::weigh(dvec2 at, Visit visit) const {
   switch (image_.interpolation) {
     case Interpolation::nearest: break;
     case Interpolation::bilinear:
-      visit(i, j, p * q);
-      visit(i - 1, j, (1 - p) * q);
-      visit(i, j - 1, p * (1 - q));
-      visit(i - 1, j - 1, (1 - p) * (1 - q));
+      weigh_square<2>(i - 1, j - 1, {1 - p, p}, {1 - q, q}, visit);
       break;
     case Interpolation::distance: {
       const auto near = [](double x, double y) { return 1 / (x * x + y * y); };
-      const std::array<double, 4> w = {near(1 - p, 1 - q), near(p, 1 - q), near(1 - p, q),
-                                       near(p, q)};
-      const double sum = w[0] + w[1] + w[2] + w[3];
-      visit(i, j, w[0] / sum);
-      visit(i - 1, j, w[1] / sum);
-      visit(i, j - 1, w[2] / sum);
-      visit(i - 1, j - 1, w[3] / sum);
+      // Upper left, upper right, lower left, lower right.
+      const std::array<double, 4> w = {near(p, q), near(1 - p, q), near(p, 1 - q),
+                                       near(1 - p, 1 - q)};
+      const double sum = w[3] + w[2] + w[1] + w[0];
+      std::size_t next = 0;
+      weigh_square<2>(i - 1, j - 1, {1, 1}, {1, 1},
+                      [&](std::size_t pixel, double) { visit(pixel, w[next++] / sum); });
       break;
     }
     case Interpolation::bicubic: {
@@ -198,14 +204,7 @@ void ImageSampler::weigh(dvec2 at, Visit visit) const {
         return std::array<double, 4>{-0.5 * t * r * r, 0.5 * r * (r * (3 * t + 1) + 1),
                                      0.5 * t * (t * (3 * r + 1) + 1), -0.5 * r * t * t};
       };
-      const auto wx = weights(p);
-      const auto wy = weights(q);
-      for (std::int64_t y = 0; y < 4; ++y) {
-        for (std::int64_t x = 0; x < 4; ++x) {
-          visit(i - 2 + x, j - 2 + y,
-                wx[static_cast<std::size_t>(x)] * wy[static_cast<std::size_t>(y)]);
-        }
-      }
+      weigh_square<4>(i - 2, j - 2, weights(p), weights(q), visit);
       break;
     }
   }
@@ -213,13 +212,16 @@ void ImageSampler::weigh(dvec2 at, Visit visit) const {
 
 Colour ImageSampler::interpolated(dvec2 at) const {
   if (image_.interpolation == Interpolation::nearest) {
-    return pixel(static_cast<std::int64_t>(at.x), static_cast<std::int64_t>(at.y));
+    Colour found;
+    weigh(at, [&](std::size_t place, double) { found = pixel(place); });
+    return found;
   }
+  if (plain_) return {plain_interpolated(at), 0, 0};
   dvec3 rgb(0.0);
   double filter = 0;
   double transmit = 0;
-  weigh(at, [&](std::int64_t x, std::int64_t y, double weight) {
-    const Colour c = pixel(x, y);
+  weigh(at, [&](std::size_t place, double weight) {
+    const Colour c = pixel(place);
     rgb += weight * dvec3(c.rgb);
     filter += weight * c.filter;
     transmit += weight * c.transmit;
@@ -227,11 +229,25 @@ Colour ImageSampler::interpolated(dvec2 at) const {
   return {vec3(rgb), static_cast<float>(filter), static_cast<float>(transmit)};
 }
 
+/// The same for codes of three channels.
+vec3 ImageSampler::plain_interpolated(dvec2 at) const {
+  const std::uint16_t* const stored = picture_->codes.data();
+  const float* const codes = codes_.data();
+  double r = 0;
+  double g = 0;
+  double b = 0;
+  weigh(at, [&](std::size_t place, double weight) {
+    const std::uint16_t* const s = stored + 3 * place;
+    r += weight * static_cast<double>(codes[s[0]]);
+    g += weight * static_cast<double>(codes[s[1]]);
+    b += weight * static_cast<double>(codes[s[2]]);
+  });
+  return {static_cast<float>(r), static_cast<float>(g), static_cast<float>(b)};
+}
+
 int ImageSampler::palette_index(dvec2 at) const {
   double sum = 0;
-  weigh(at, [&](std::int64_t x, std::int64_t y, double weight) {
-    sum += weight * picture_->codes[row(y) * picture_->width + column(x)];
-  });
+  weigh(at, [&](std::size_t place, double weight) { sum += weight * picture_->codes[place]; });
   return static_cast<int>(sum);
 }
 

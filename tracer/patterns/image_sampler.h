@@ -35,12 +35,16 @@ class ImageSampler {
   [[nodiscard]] dvec2 size() const { return size_; }
 
  private:
-  [[nodiscard]] std::size_t column(std::int64_t x) const;
-  [[nodiscard]] std::size_t row(std::int64_t y) const;
-  [[nodiscard]] Colour pixel(std::int64_t x, std::int64_t y) const;
+  // Pixels are numbered row by row.
+  [[nodiscard]] std::size_t inside(std::int64_t i, std::int64_t size) const;
+  [[nodiscard]] Colour pixel(std::size_t at) const;
   [[nodiscard]] Colour stored_pixel(std::size_t at) const;
   [[nodiscard]] Colour interpolated(dvec2 at) const;
+  [[nodiscard]] vec3 plain_interpolated(dvec2 at) const;
   [[nodiscard]] int palette_index(dvec2 at) const;
+  template <std::size_t n, typename Visit>
+  void weigh_square(std::int64_t x, std::int64_t y, const std::array<double, n>& wx,
+                    const std::array<double, n>& wy, Visit visit) const;
   template <typename Visit>
   void weigh(dvec2 at, Visit visit) const;
 
@@ -56,6 +60,7 @@ class ImageSampler {
   std::vector<Colour> palette_;  // empty: colours are stored in the pixels
   bool has_alpha_ = false;
   bool opaque_ = false;
+  bool plain_ = false;  // codes of three channels
 };
 
 }  // namespace durer::tracer

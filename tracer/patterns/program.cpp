@@ -6,6 +6,7 @@
 #include "tracer/patterns/image_sampler.h"
 #include "tracer/patterns/patterns.h"
 #include "tracer/patterns/pigment_pattern.h"
+#include "tracer/patterns/remainder.h"
 #include "tracer/warps/turbulence.h"
 #include "tracer/warps/warps.h"
 
@@ -123,7 +124,7 @@ dvec3 PatternStore::warp(const PatternProgram& program, dvec3 p) const {
 double PatternStore::value(const PatternProgram& program, dvec3 warped, const SurfaceView* view) {
   double v = program.type->evaluate(program.state, warped, view);
   // The modulus is a little above 1 so that the value 1 stays 1 and finds the last entry.
-  if (program.frequency != 0) v = std::fmod(v * program.frequency + program.phase, 1.00001);
+  if (program.frequency != 0) v = remainder(v * program.frequency + program.phase, 1.00001);
   if (v < 0) v -= std::floor(v);
   return shape_wave(program.wave, program.wave_exponent, v);
 }

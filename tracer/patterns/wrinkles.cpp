@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <glm/common.hpp>
 
 #include "tracer/patterns/pattern_type.h"
 
@@ -8,6 +7,7 @@ namespace {
 
 // Ten octaves of noise (textures §5).
 struct Wrinkles {
+  static constexpr int octaves = 10;
   functions::NoiseGenerator generator = 2;
 
   static constexpr std::array samples{
@@ -17,21 +17,18 @@ struct Wrinkles {
   };
   void prepare(const PatternContext& context) { generator = context.noise_generator; }
   double operator()(dvec3 p) const {
+    std::array<double, 12> noise;
+    functions::noise_octaves(p, 2, octaves, generator, noise.data());
     double sum = 0;
-    double frequency = 1;
-    for (int i = 0; i < 10; ++i, frequency *= 2) {
-      const double n = functions::noise(frequency * p, generator);
-      sum += (generator < 2 ? n : std::clamp(2 * n - 0.5, 0.0, 1.0)) / frequency;
+    double weight = 1;
+    for (int i = 0; i < octaves; ++i, weight /= 2) {
+      const double n = noise[static_cast<std::size_t>(i)];
+      sum += weight * (generator < 2 ? n : std::clamp(2 * n - 0.5, 0.0, 1.0));
     }
     return sum / 2;
   }
   dvec3 perturb(dvec3 p, dvec3 n, double amount) const {
-    dvec3 sum(0.0);
-    double frequency = 1;
-    for (int i = 0; i < 10; ++i, frequency *= 2) {
-      sum += glm::abs(functions::vnoise(frequency * p)) / frequency;
-    }
-    return n + amount * sum;
+    return n + amount * functions::folded_vnoise(p, octaves);
   }
 };
 

@@ -38,12 +38,12 @@ struct Torus::Ring {
   }
   // Distance functions of the tube and, with the other sign, of the spindle; see on_spindle().
   [[nodiscard]] double excess(dvec3 p, double ring) const {
-    const double across = std::hypot(p.x, p.z) - ring;
+    const double across = std::sqrt(p.x * p.x + p.z * p.z) - ring;
     return p.y * p.y + across * across - minor * minor;
   }
   [[nodiscard]] bool contains(dvec3 p) const { return excess(p, major) <= 0; }
   [[nodiscard]] dvec3 normal(dvec3 p, std::uint32_t /*part*/) const {
-    const double rho = std::hypot(p.x, p.z);
+    const double rho = std::sqrt(p.x * p.x + p.z * p.z);
     if (rho <= epsilon) return p;
     return p - major / rho * dvec3(p.x, 0, p.z);
   }
@@ -51,7 +51,7 @@ struct Torus::Ring {
   [[nodiscard]] dvec2 uv(dvec3 p, std::uint32_t /*part*/) const {
     constexpr double turn = 2 * std::numbers::pi;
     const double around = std::atan2(p.z, p.x) / turn;
-    const double across = std::atan2(p.y, std::hypot(p.x, p.z) - major) / turn;
+    const double across = std::atan2(p.y, std::sqrt(p.x * p.x + p.z * p.z) - major) / turn;
     return {0.5 - around, 0.5 + across};
   }
 
@@ -64,7 +64,7 @@ struct Torus::Ring {
   [[nodiscard]] double polished(double s, dvec3 p, dvec3 d) const {
     for (int i = 0; i < 2; ++i) {
       const dvec3 q = p + s * d;
-      const double rho = std::hypot(q.x, q.z);
+      const double rho = std::sqrt(q.x * q.x + q.z * q.z);
       if (rho < epsilon) break;
       const double ring = on_spindle(q) ? -major : major;
       const double slope = 2 * ((rho - ring) * (q.x * d.x + q.z * d.z) / rho + q.y * d.y);
@@ -75,12 +75,13 @@ struct Torus::Ring {
     return s;
   }
 
-  /// Calls f(t, p) for every crossing of the line, ascending. Tangent lines miss.
+  /// Calls f(t, p) for the crossings of the line, ascending: all of those between `t_from` and `t_to`,
+  /// and perhaps others. Tangent lines miss.
   // Measured in true length from the point of the line nearest to the centre, so that the cubic
   // term vanishes and nothing grows with the distance of the ray's origin. The equation is
   // (|q|² + R² - r²)² = 4 R² (x² + z²), q = p + s d.
   template <typename F>
-  void each_crossing(const Ray& ray, F&& f) const {
+  void each_crossing(const Ray& ray, double t_from, double t_to, F&& f) const {
     const double length = glm::length(ray.d);
     const dvec3 d = ray.d / length;
     const double middle = -glm::dot(ray.o, d);
@@ -100,6 +101,8 @@ struct Torus::Ring {
     } else if (std::abs(p.y) > minor) {
       return;
     }
+    lo = std::max(lo, t_from * length - middle - slack);
+    hi = std::min(hi, t_to * length - middle + slack);
     if (!(lo < hi)) return;
     const double rr = major * major;
     const double k = p2 - rr - minor * minor;
@@ -113,7 +116,7 @@ struct Torus::Ring {
 
   void crossings(const Ray& ray, Crossings& out) const {
     bool inside = false;
-    each_crossing(ray, [&](double t, dvec3 p) {
+    each_crossing(ray, -far, far, [&](double t, dvec3 p) {
       if (on_spindle(p)) {
         out.push_back({.t = t, .side = Side::sheet});
         return;
@@ -124,7 +127,7 @@ struct Torus::Ring {
   }
   [[nodiscard]] std::optional<Nearest> nearest(const Ray& ray, double t_from, double t_to) const {
     std::optional<Nearest> best;
-    each_crossing(ray, [&](double t, dvec3 /*p*/) {
+    each_crossing(ray, t_from, t_to, [&](double t, dvec3 /*p*/) {
       if (!best && t >= t_from && t < t_to) best = Nearest{t, 0};
     });
     return best;

@@ -18,6 +18,12 @@ vec3 metal_tint(float metallic, double cosine, vec3 pigment) {
   return 1.0F + static_cast<float>(metallic * (1 - phi)) * (pigment - 1.0F);
 }
 
+// Where a power of the cosine falls below what any picture can show.
+double least_cosine(double exponent) {
+  constexpr double unseen = 1e-9;
+  return exponent > 0 ? std::pow(unseen, 1 / exponent) : 0;
+}
+
 vec3 blend(const Finish& f, double share) {
   if (std::abs(share) < epsilon) return f.reflection_min;
   if (std::abs(share - 1) < epsilon) return f.reflection_max;
@@ -25,8 +31,9 @@ vec3 blend(const Finish& f, double share) {
          static_cast<float>(1 - share) * f.reflection_min;
 }
 
-// Unpolarised reflectance of a dielectric; 1 beyond the critical angle.
-double fresnel(double cosi, double n) {
+}  // namespace
+
+double fresnel_reflectance(double cosi, double n) {
   const double g2 = n * n + cosi * cosi - 1;
   if (g2 <= 0) return 1;
   const double g = std::sqrt(g2);
@@ -34,8 +41,6 @@ double fresnel(double cosi, double n) {
   const double b = (cosi * (g + cosi) - 1) / (cosi * (g - cosi) + 1);
   return std::clamp(0.5 * a * a * (1 + b * b), 0.0, 1.0);
 }
-
-}  // namespace
 
 Finish compile_finish(const scene::Finish& in, vec3 ambient_light, vec3 irid_wavelength,
                       functions::NoiseGenerator noise_generator) {
@@ -52,6 +57,8 @@ Finish compile_finish(const scene::Finish& in, vec3 ambient_light, vec3 irid_wav
   f.phong_size = in.phong_size;
   f.specular = in.specular;
   f.specular_exponent = in.roughness == 0 ? 0 : 1 / in.roughness;
+  f.least_phong = least_cosine(f.phong_size);
+  f.least_specular = least_cosine(f.specular_exponent);
   f.metallic = in.metallic;
   f.crand = in.crand;
   f.reflection_falloff = in.reflection_falloff;
@@ -62,6 +69,7 @@ Finish compile_finish(const scene::Finish& in, vec3 ambient_light, vec3 irid_wav
   f.irid_turbulence = in.irid_turbulence;
   f.irid_wavelength = irid_wavelength;
   f.noise_generator = noise_generator;
+  if (in.subsurface) f.translucency = in.translucency;
   f.fresnel = in.fresnel;
   f.conserve_energy = in.conserve_energy;
   f.highlights = in.phong != 0 || in.specular != 0;
@@ -73,7 +81,7 @@ Finish compile_finish(const scene::Finish& in, vec3 ambient_light, vec3 irid_wav
 Reflectivity reflectivity(const Finish& f, double cosi, double relative_ior, vec3 pigment) {
   Reflectivity r;
   if (f.fresnel) {
-    r.rho = blend(f, fresnel(cosi, relative_ior));
+    r.rho = blend(f, fresnel_reflectance(cosi, relative_ior));
     r.weight = greatest(r.rho);
   } else {
     const double away = 1 - cosi;
@@ -91,13 +99,13 @@ vec3 highlight(const Finish& f, dvec3 d, dvec3 n, dvec3 l, vec3 pigment) {
   if (f.phong > 0) {
     const dvec3 mirrored = d - 2 * glm::dot(d, n) * n;
     const double s = glm::dot(mirrored, l);
-    if (s > 0 && (f.phong_size < 60 || s > 0.0008)) sum += f.phong * std::pow(s, f.phong_size);
+    if (s > f.least_phong && (f.phong_size < 60 || s > 0.0008)) sum += f.phong * std::pow(s, f.phong_size);
   }
   if (f.specular > 0) {
     const dvec3 half = (l - d) / 2.0;
     const double length = glm::length(half);
     const double s = length > 0 ? glm::dot(half, n) / length : 0;
-    if (s > 0) sum += f.specular * std::pow(s, f.specular_exponent);
+    if (s > f.least_specular) sum += f.specular * std::pow(s, f.specular_exponent);
   }
   if (sum == 0) return vec3(0.0F);
   const vec3 white(static_cast<float>(sum));

@@ -21,6 +21,9 @@ struct Finish {
   float phong_size = 40;
   float specular = 0;
   float specular_exponent = 20;
+  // Cosines below which highlights are too weak to be worth a power.
+  double least_phong = 0;
+  double least_specular = 0;
   float metallic = 0;
   float crand = 0;
   float reflection_falloff = 1;
@@ -31,6 +34,7 @@ struct Finish {
   float irid_turbulence = 0;
   functions::NoiseGenerator noise_generator = 2;  // of the turbulence
   vec3 irid_wavelength{1.0F};
+  vec3 translucency{0.0F};  // mm; 0: light comes out where it falls in
   bool fresnel = false;
   bool conserve_energy = false;
   bool lit = true;          // some term needs lights
@@ -52,6 +56,9 @@ struct Reflectivity {
 /// n before the surface, used by fresnel finishes only (shading §4.8).
 [[nodiscard]] Reflectivity reflectivity(const Finish& finish, double cosi, double relative_ior,
                                         vec3 pigment);
+
+/// Unpolarised reflectance of a dielectric; 1 beyond the critical angle. `n`: behind over before.
+[[nodiscard]] double fresnel_reflectance(double cosine, double n);
 
 /// Phong and specular light of one lamp, without the lamp's colour; per component because metals
 /// tint it. `d`: view direction, `l`: to the light, both of unit length (shading §4.5).

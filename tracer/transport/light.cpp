@@ -19,12 +19,13 @@ vec3 Tracer::illuminate(const View& view, const Path& path, const LayerPoint& la
     const bool hidden = is_behind(view, layer, lamp.in.l);
     if (hidden && !spread && layer.finish->diffuse_back == 0) continue;
     if (!lamp.shadow_known) {
-      lamp.shadowed = shadowed(light, lamp.in, view.p, path.inside, view.gathering);
+      lamp.shadowed =
+          shadowed(light, lamp.in, view.p, path.inside, {view.gathering, view.collects});
       lamp.shadow_known = true;
     }
     if (dark(lamp.shadowed)) continue;
     sum += spread ? shade_by_area(view, layer, light, lamp)
-                  : shade(view, layer, light, lamp, hidden);
+                  : shade(view, layer, {lamp.in.l, lamp.shadowed, !light.shadowless}, hidden);
   }
   return sum;
 }
@@ -66,16 +67,16 @@ vec3 Tracer::shade_by_area(const View& view, const LayerPoint& layer, const Ligh
       const bool hidden = is_behind(view, layer, sample.in.l);
       if (hidden && layer.finish->diffuse_back == 0) continue;
       sample.shadowed *= share * static_cast<float>(tracer::attenuation(light, sample.in, view.p));
-      sum += shade(view, layer, light, sample, hidden);
+      sum += shade(view, layer, {sample.in.l, sample.shadowed, !light.shadowless}, hidden);
     }
   }
   return sum;
 }
 
-vec3 Tracer::shade(const View& view, const LayerPoint& layer, const Light& light,
-                   const LampAtPoint& lamp, bool backside, bool grain) const {
+vec3 Tracer::shade(const View& view, const LayerPoint& layer, const Beam& beam, bool backside,
+                   bool grain) const {
   const Finish& f = *layer.finish;
-  const dvec3 l = lamp.in.l;
+  const dvec3 l = beam.l;
   const double cosine = glm::dot(layer.n, l);
   vec3 sum(0.0F);
   const float k = backside ? f.diffuse_back : f.diffuse;
@@ -84,10 +85,10 @@ vec3 Tracer::shade(const View& view, const LayerPoint& layer, const Light& light
     const double bright = f.brilliance == 1 ? c : std::pow(c, f.brilliance);
     float intensity = static_cast<float>(bright) * k * layer.opacity;
     if (grain && f.crand > 0) intensity -= random_unit(scratch_->noise) * f.crand;
-    sum = intensity * layer.pigment * lamp.shadowed;
+    sum = intensity * layer.pigment * beam.light;
   }
-  if (f.highlights && !view.gathering && !backside && !light.shadowless) {
-    sum += highlight(f, view.d, layer.n, l, layer.pigment) * lamp.shadowed;
+  if (f.highlights && !view.gathering && !backside && beam.highlights) {
+    sum += highlight(f, view.d, layer.n, l, layer.pigment) * beam.light;
   }
   if (f.irid > 0) sum *= iridescence(f, view.p, cosine, glm::dot(layer.n, view.d));
   return sum;

@@ -51,34 +51,59 @@ MediaEffect MediaIntegrator::integrate() {
   if (first_ == end_) return effect;
   find_leader();
   if (setting_.shadow && !dims_) return effect;
-  if (setting_.shadow) {
-    divide({0, length_, false}, leader_->has_density ? leader_->intervals : 1, effect);
-  } else {
-    find_parts();
-    const std::vector<LitPart>& parts = scratch_.lit_parts;
-    const auto n = static_cast<int>(parts.size());
-    const int wanted = std::max(leader_->intervals, n);
-    if (n == 1) {
-      const bool whole = !parts[0].lit && !leader_->has_density;
-      divide(parts[0], whole ? 1 : wanted, effect);
-    } else {
-      double sum = 0;
-      const auto weight = [&](const LitPart& p) {
-        return p.lit ? leader_->ratio : 1 - leader_->ratio;
-      };
-      for (const LitPart& p : parts) sum += weight(p);
-      int left = wanted;
-      for (int i = 0; i < n; ++i) {
-        const LitPart part = parts[static_cast<std::size_t>(i)];
-        const int share = static_cast<int>(weight(part) / sum * wanted) + 1;
-        const int count = std::min(share, left - n + i + 1);
-        divide(part, count, effect);
-        left -= count;
-      }
-    }
-  }
+  each_interval([&](const Interval& interval) {
+    integrate(interval, effect);
+    return !black_behind(effect.depth);
+  });
   effect.kept = glm::exp(-effect.depth);
   return effect;
+}
+
+// The stretches that are sampled on their own, front to back (participating-and-global §1.6).
+template <typename Visit>
+void MediaIntegrator::each_interval(Visit visit) {
+  const auto divide = [&](const LitPart& part, int count) {
+    const double length = (part.to - part.from) / count;
+    for (int i = 0; i < count; ++i) {
+      if (!visit(Interval{part.from + i * length, length, part.lit})) return false;
+    }
+    return true;
+  };
+  if (setting_.shadow) {
+    divide({0, length_, false}, leader_->has_density ? leader_->intervals : 1);
+    return;
+  }
+  find_parts();
+  const std::vector<LitPart>& parts = scratch_.lit_parts;
+  const auto n = static_cast<int>(parts.size());
+  const int wanted = std::max(leader_->intervals, n);
+  if (n == 1) {
+    const bool whole = !parts[0].lit && !leader_->has_density;
+    divide(parts[0], whole ? 1 : wanted);
+    return;
+  }
+  double sum = 0;
+  const auto weight = [&](const LitPart& p) { return p.lit ? leader_->ratio : 1 - leader_->ratio; };
+  for (const LitPart& p : parts) sum += weight(p);
+  int left = wanted;
+  for (int i = 0; i < n; ++i) {
+    const LitPart part = parts[static_cast<std::size_t>(i)];
+    const int share = static_cast<int>(weight(part) / sum * wanted) + 1;
+    const int count = std::min(share, left - n + i + 1);
+    if (!divide(part, count)) return;
+    left -= count;
+  }
+}
+
+void MediaIntegrator::find_stretches(std::vector<Interval>& out) {
+  out.clear();
+  if (first_ == end_) return;
+  find_leader();
+  if (!scatters_ || !collects_) return;
+  each_interval([&](const Interval& interval) {
+    out.push_back(interval);
+    return true;
+  });
 }
 
 void MediaIntegrator::find_leader() {
@@ -92,7 +117,10 @@ void MediaIntegrator::find_leader() {
     varies_ = varies_ || m.varies;
     scatters_ = scatters_ || m.scatters;
     dims_ = dims_ || m.dims;
+    collects_ = collects_ || m.collects;
   }
+  has_photons_ = !setting_.shadow && scatters_ && collects_ && scratch_.photons != nullptr &&
+                 !scratch_.photons->media.empty();
 }
 
 void MediaIntegrator::find_parts() {
@@ -102,16 +130,10 @@ void MediaIntegrator::find_parts() {
                  scratch_.lit_parts);
 }
 
-void MediaIntegrator::divide(const LitPart& part, int count, MediaEffect& effect) {
-  const double length = (part.to - part.from) / count;
-  for (int i = 0; i < count && !black_behind(effect.depth); ++i) {
-    integrate({part.from + i * length, length, part.lit}, effect);
-  }
-}
-
 void MediaIntegrator::integrate(const Interval& interval, MediaEffect& effect) {
   Sample s;
-  if (!varies_ && !(interval.lit && scatters_) && leader_->method == 3) {
+  const bool lit = (interval.lit && scatters_) || has_photons_;
+  if (!varies_ && !lit && leader_->method == 3) {
     s = uniform(interval);
   } else if (leader_->method != 3 || (setting_.shadow && constant_)) {
     s = sampled(interval);
@@ -238,7 +260,10 @@ MediaIntegrator::Sample MediaIntegrator::at(const Interval& interval, double u) 
   }
   const auto length = static_cast<float>(interval.length);
   if (setting_.shadow) return {vec3(0.0F), extinction * length};
-  if (interval.lit && !black(scattering)) emission += scattering * scattered(t, p);
+  if (!black(scattering)) {
+    if (interval.lit) emission += scattering * scattered(t, p);
+    if (has_photons_) emission += scattering * photons_at(p);
+  }
   return {emission * length, extinction * length};
 }
 
@@ -257,15 +282,19 @@ vec3 MediaIntegrator::scattered(double t, dvec3 p) {
     const Light& light = scene_.lights[span.light];
     const Incidence in = incidence(light, p);
     if (dark(in.colour)) continue;
-    const vec3 arriving = tracer_.shadowed(light, in, p, setting_.inside, setting_.gathering);
+    const vec3 arriving =
+        tracer_.shadowed(light, in, p, setting_.inside, {setting_.gathering, collects_});
     if (dark(arriving)) continue;
-    // The oracle takes the mean of all media, whether they scatter or not.
-    double factor = 0;
-    const double cosine = glm::dot(ray_.d, in.l);
-    for (std::uint32_t i = first_; i < end_; ++i) factor += phase_factor(media(i), cosine);
-    sum += static_cast<float>(factor / (end_ - first_)) * arriving;
+    sum += static_cast<float>(mean_phase(glm::dot(ray_.d, in.l))) * arriving;
   }
   return sum;
+}
+
+// The oracle takes the mean of all media, whether they scatter or not.
+double MediaIntegrator::mean_phase(double cosine) const {
+  double factor = 0;
+  for (std::uint32_t i = first_; i < end_; ++i) factor += phase_factor(media(i), cosine);
+  return factor / (end_ - first_);
 }
 
 double MediaIntegrator::random() { return next_random(scratch_.noise); }

@@ -26,23 +26,27 @@ class MediaIntegrator {
   void add(MediaRange media);
   [[nodiscard]] MediaEffect integrate();
 
- private:
-  // One place: the light it adds and the optical depth, both for a whole interval.
-  struct Sample {
-    vec3 colour{0.0F};
-    vec3 depth{0.0F};
-  };
   // A part of the ray, between t and t + length.
   struct Interval {
     double t = 0;
     double length = 0;
     bool lit = false;
   };
+  /// Where photons on the ray are left behind: stretches that are divided on their own. None if the
+  /// media do not scatter, or do not want photons.
+  void find_stretches(std::vector<Interval>& out);
 
+ private:
+  // One place: the light it adds and the optical depth, both for a whole interval.
+  struct Sample {
+    vec3 colour{0.0F};
+    vec3 depth{0.0F};
+  };
   [[nodiscard]] const MediaProgram& media(std::uint32_t i) const;
   void find_leader();
   void find_parts();
-  void divide(const LitPart& part, int count, MediaEffect& effect);
+  template <typename Visit>  // visit(interval) returns false where nothing more is wanted
+  void each_interval(Visit visit);
   void integrate(const Interval& interval, MediaEffect& effect);
   [[nodiscard]] Sample sampled(const Interval& interval);
   [[nodiscard]] Sample uniform(const Interval& interval);
@@ -52,6 +56,8 @@ class MediaIntegrator {
   [[nodiscard]] Sample at(const Interval& interval, double u);
   [[nodiscard]] Sample dimmed(const Interval& interval, double u);
   [[nodiscard]] vec3 scattered(double t, dvec3 p);
+  [[nodiscard]] vec3 photons_at(dvec3 p);
+  [[nodiscard]] double mean_phase(double cosine) const;
   [[nodiscard]] double random();
 
   Tracer& tracer_;
@@ -70,6 +76,8 @@ class MediaIntegrator {
   bool varies_ = false;
   bool scatters_ = false;
   bool dims_ = false;
+  bool collects_ = false;
+  bool has_photons_ = false;  // that may light these media
 };
 
 /// Appends where some of the `lights`, the `lamps`, shine on a ray: [0, depth] or less for those with a cone. Then parts of the

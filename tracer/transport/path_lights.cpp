@@ -25,7 +25,7 @@ vec3 PathTracer::lamp_light(const View& view, const Containment& inside) {
   }
   if (draw.own == 0) return vec3(0.0F);
   const Light& light = scene_->lights[chosen];
-  const vec3 arriving = tracer_.shadowed(light, seen.shadow, view.p, inside, true);
+  const vec3 arriving = tracer_.shadowed(light, seen.shadow, view.p, inside, {.as_point = true});
   if (dark(arriving)) return vec3(0.0F);
   return draw.factor() * lit(view, light, {seen.shading, arriving, true}, true);
 }
@@ -33,11 +33,12 @@ vec3 PathTracer::lamp_light(const View& view, const Containment& inside) {
 // What all layers throw back of a lamp.
 vec3 PathTracer::lit(const View& view, const Light& light, const LampAtPoint& lamp,
                      bool grain) const {
+  const Tracer::Beam beam{lamp.in.l, lamp.shadowed, !light.shadowless};
   vec3 sum(0.0F);
   for (const Coat& coat : coats_) {
     const bool hidden = tracer_.is_behind(view, coat.layer, lamp.in.l);
     if (hidden && coat.layer.finish->diffuse_back == 0) continue;
-    sum += coat.through * tracer_.shade(view, coat.layer, light, lamp, hidden, grain);
+    sum += coat.through * tracer_.shade(view, coat.layer, beam, hidden, grain);
   }
   return sum;
 }

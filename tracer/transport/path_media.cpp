@@ -232,7 +232,7 @@ vec3 PathTracer::lamp_light_in_media(dvec3 p, dvec3 d, std::uint32_t lamps,
   }
   if (draw.own == 0) return vec3(0.0F);
   return static_cast<float>(phase) * draw.factor() *
-         tracer_.shadowed(scene_->lights[chosen], seen.shadow, p, inside, true);
+         tracer_.shadowed(scene_->lights[chosen], seen.shadow, p, inside, {.as_point = true});
 }
 
 vec3 PathTracer::emitter_light_in_media(dvec3 p, dvec3 d, const Containment& inside) {

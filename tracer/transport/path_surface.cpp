@@ -70,9 +70,9 @@ void PathTracer::survey(Vertex& vertex, const Path& path) {
 void PathTracer::look_beyond(Vertex& vertex, const Path& path) {
   Path arrived = path;
   if (path.wavelength == 0) {
-    Containment beyond = path.inside;
-    if (!is_one(pass(scene_->interiors, vertex.view->interior, beyond).dispersion)) {
-      const int bands = tracer_.dispersion_samples(*vertex.view, beyond);
+    const Tracer::Crossing crossing = tracer_.cross(*vertex.view, vertex.layers, path);
+    if (crossing.disperses) {
+      const int bands = tracer_.bands(*vertex.view, crossing);
       const Band band = spectral_band(static_cast<int>(random_->next() * bands), bands);
       arrived.wavelength = band.wavelength;
       vertex.hue = band.hue;
@@ -117,19 +117,16 @@ void PathTracer::find_lobes(Vertex& vertex) {
 /// Light of radiance 1 from direction `d`, per steradian, that goes back along the ray: as if it
 /// were a lamp's, whose colour 1 means an irradiance of pi.
 vec3 PathTracer::scattered(const View& view, dvec3 d) const {
-  static const Light from_around;
   // Bumps do not let light through.
   const bool back = glm::dot(view.g, d) < 0;
-  LampAtPoint lamp;
-  lamp.in.l = d;
-  lamp.shadowed = vec3(1.0F);
+  const Tracer::Beam from_around{d, vec3(1.0F), true};
   vec3 sum(0.0F);
   for (const Coat& coat : coats_) {
     const double cosine = glm::dot(coat.layer.n, d);
     if (back != (cosine < 0)) continue;
     const bool hidden = tracer_.is_behind(view, coat.layer, d);
     if (hidden && coat.layer.finish->diffuse_back == 0) continue;
-    sum += coat.through * tracer_.shade(view, coat.layer, from_around, lamp, hidden, false);
+    sum += coat.through * tracer_.shade(view, coat.layer, from_around, hidden, false);
   }
   return sum / static_cast<float>(pi);
 }

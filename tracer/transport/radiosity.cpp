@@ -6,22 +6,10 @@
 #include <limits>
 #include <numbers>
 
-#include "tracer/sobol.h"
+#include "tracer/random.h"
 #include "tracer/transport/trace.h"
 
 namespace durer::tracer {
-namespace {
-
-// Digits of `i` in a base, mirrored at the point: 0…1.
-double radical_inverse(std::uint32_t i, std::uint32_t base) {
-  double value = 0;
-  double digit = 1.0 / base;
-  for (; i > 0; i /= base, digit /= base) value += digit * (i % base);
-  return value;
-}
-
-}  // namespace
-
 std::vector<dvec3> cosine_directions(int count) {
   std::vector<dvec3> all;
   all.reserve(static_cast<std::size_t>(count));

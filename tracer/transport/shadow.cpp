@@ -8,10 +8,11 @@
 namespace durer::tracer {
 
 vec3 Tracer::shadowed(const Light& light, const Incidence& in, dvec3 p, const Containment& inside,
-                      bool as_point) {
+                      Receiver receiver) {
   if (!quality_.shadows || (light.shadowless && light.projector == scene::none)) return in.colour;
-  if (!light.has_area || as_point) return point_shadow(light, in, p, inside);
-  AreaShadow whole{light, in, p, inside};
+  const bool collects = receiver.collects && has_caustics();
+  if (!light.has_area || receiver.as_point) return point_shadow(light, in, p, inside, collects);
+  AreaShadow whole{light, in, p, inside, collects};
   if (whole.few = few_casters(light, in, p); whole.few && scratch_->casters.empty()) {
     return in.colour;
   }
@@ -22,7 +23,7 @@ vec3 Tracer::shadowed(const Light& light, const Incidence& in, dvec3 p, const Co
 // Where nothing is translucent any blocker will do; otherwise the nearest ones are asked in turn,
 // which costs a lit point no more.
 vec3 Tracer::point_shadow(const Light& light, const Incidence& in, dvec3 p,
-                          const Containment& inside) {
+                          const Containment& inside, bool collects) {
   double way = in.distance;
   if (light.projector != scene::none) {
     way = projected(light, in, p);
@@ -31,7 +32,9 @@ vec3 Tracer::point_shadow(const Light& light, const Incidence& in, dvec3 p,
   }
   if (way <= 2 * t_shadow) return in.colour;
   const bool dimmed = light.dimmed_by_air && dims();
-  if (translucent_shadows_ || dimmed) return walk_shadow(light, in, p, way, inside);
+  if (translucent_shadows_ || dimmed) {
+    return walk_shadow(light, in, p, way, inside, collects);
+  }
   ++scratch_->rays;
   const bool blocked =
       scene_->geometry.occluded({p, in.l}, t_shadow, way - t_shadow, *scratch_->geometry);
@@ -49,7 +52,7 @@ double Tracer::projected(const Light& light, const Incidence& in, dvec3 p) {
 // From one surface to the next, up to `way`; surfaces nearer than t_shadow behind each other count
 // as one.
 vec3 Tracer::walk_shadow(const Light& light, const Incidence& in, dvec3 p, double way,
-                         Containment inside) {
+                         Containment inside, bool collects) {
   static const double beyond = std::nextafter(t_shadow, 1.0);
   const bool dimmed = light.dimmed_by_air && dims();
   const double unobstructed = in.distance - way;  // behind the object that the lamp shines through
@@ -61,6 +64,7 @@ vec3 Tracer::walk_shadow(const Light& light, const Incidence& in, dvec3 p, doubl
     const bool met = way > 2 * t_shadow &&
                      scene_->geometry.closest(ray, beyond, way - t_shadow, RayKind::shadow, hit,
                                               *scratch_->geometry);
+    if (met && collects && leaves_to_photons(light, hit)) return vec3(0.0F);
     if (met) left *= shadow_factor(hit, in.l, inside);
     const double depth = met ? hit.t : way + unobstructed;
     if (met && !scene_->media.empty()) left *= light_through_bodies(ray, hit.t, inside);
@@ -111,7 +115,7 @@ vec3 Tracer::area_corner(const AreaShadow& lit, int u, int v) {
         scratch_->casters, {lit.p, in.l}, t_shadow, in.distance - t_shadow, *scratch_->geometry);
     light = blocked ? vec3(0.0F) : in.colour;
   } else {
-    light = point_shadow(lit.light, in, lit.p, lit.inside);
+    light = point_shadow(lit.light, in, lit.p, lit.inside, lit.collects);
   }
   scratch_->area[place] = {light, true};
   return light;

@@ -13,8 +13,9 @@ namespace {
 
 float greatest_size(vec3 c) { return std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)}); }
 
-// Snell's law for unit `d`; false beyond the critical angle.
-bool refract(dvec3 d, dvec3 normal, double eta, dvec3& out) {
+}  // namespace
+
+bool refracted(dvec3 d, dvec3 normal, double eta, dvec3& out) {
   double n = glm::dot(d, normal);
   if (n <= 0) {
     n = -n;
@@ -27,7 +28,14 @@ bool refract(dvec3 d, dvec3 normal, double eta, dvec3& out) {
   return true;
 }
 
-}  // namespace
+bool Tracer::same_direction(dvec3 a, dvec3 b) {
+  const dvec3 e = glm::abs(a - b);
+  return e.x < epsilon && e.y < epsilon && e.z < epsilon;
+}
+
+double Tracer::Crossing::eta(double wavelength) const {
+  return disperses ? ratio.ior * index_factor(ratio.dispersion, wavelength) : ratio.ior;
+}
 
 dvec3 mirror(dvec3 d, dvec3 n, dvec3 g) {
   dvec3 r = d - 2 * glm::dot(d, n) * n;
@@ -60,22 +68,45 @@ float Tracer::opacity(const Colour& c) const {
   return 1 - (c.filter * std::max({c.rgb.x, c.rgb.y, c.rgb.z}) + c.transmit);
 }
 
+// A finish of which light that falls in goes elsewhere.
+Finish Tracer::without_diffuse(const Finish& finish) const {
+  Finish f = finish;
+  f.diffuse = f.diffuse_back = 0;
+  if (scene_->subsurface->settings.radiosity) f.indirect = f.indirect_back = 0;
+  f.lit = f.highlights;
+  return f;
+}
+
 Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
   const bool gathers =
       scene_->radiosity && path.bounce < scene_->radiosity->bounces.size();
   Indirect around;
+  const bool photons = view.collects && has_caustics();
   bool first_lit = true;  // layers may ignore the lights that others need
-  return walk_layers(view, limits(path).adc, [&](const LayerPoint& layer, LayerSum& sum) {
+  return walk_layers(view, limits(path).adc, [&](const LayerPoint& whole, LayerSum& sum) {
     if (!quality_.lights) {
-      sum.colour = layer.pigment;
+      sum.colour = whole.pigment;
       return vec3(0.0F);
+    }
+    LayerPoint layer = whole;
+    vec3 from_below(0.0F);
+    Finish above;  // what is left of the finish where light goes below
+    if (is_translucent(view, *layer.finish)) {
+      from_below = subsurface(view, path, layer);
+      first_lit = true;  // it lights other places
+      above = without_diffuse(*layer.finish);
+      layer.finish = &above;
     }
     const Finish& f = *layer.finish;
     vec3 rho(0.0F);
-    if (f.reflects) rho = remember_reflection(view, path, layer, sum.sigma);
-    vec3 light = layer.pigment * f.glow_pigment * layer.opacity;
+    if (f.reflects) rho = remember_reflection(view, path, whole, sum.sigma);
+    vec3 light = layer.pigment * f.glow_pigment * layer.opacity + from_below;
     if (f.lit) {
       light += illuminate(view, path, layer, first_lit);
+      if (photons) {
+        if (first_lit) find_photons(view, layer.n);
+        light += caustics(view, layer);
+      }
       first_lit = false;
     }
     if (gathers && (f.indirect != 0 || f.indirect_back != 0)) {
@@ -150,61 +181,75 @@ vec3 Tracer::film_tint(const View& view, dvec3 n, dvec3 r) const {
   return iridescence(f, view.p, glm::dot(n, r), glm::dot(n, view.d));
 }
 
+// The path as it crosses a surface, before it is bent.
+Tracer::Crossing Tracer::cross(const View& view, const LayerSum& layers, const Path& path) const {
+  Crossing c;
+  c.next.inside = path.inside;
+  c.ratio = pass(scene_->interiors, view.interior, c.next.inside);
+  c.next.ray = {view.p, view.d};
+  c.next.weight = path.weight * greatest_size(layers.through);
+  c.next.level = path.level;
+  c.next.reflected = path.reflected;
+  c.next.wavelength = path.wavelength;
+  c.next.bounce = path.bounce;
+  c.next.transmitted = true;
+  c.disperses = !is_one(c.ratio.dispersion);
+  c.straight = is_one(c.ratio.ior) && !c.disperses;
+  return c;
+}
+
+// Bends light of one wavelength; `eta` is n before over n behind the surface. Where it is totally
+// reflected instead, `next` is the reflected path, and the film of the surface tints it.
+std::optional<vec3> Tracer::bend_path(const View& view, const LayerSum& layers, const Path& path,
+                                      double eta, Path& next) const {
+  if (refracted(view.d, layers.top, eta, next.ray.d)) return std::nullopt;
+  next = inward(view, path, layers.top, next.weight);
+  return film_tint(view, layers.top, next.ray.d);
+}
+
 void Tracer::transmit(const View& view, const LayerSum& layers, Path& path, Step& step) {
   const vec3 a = attenuation(view, path);
-  Path next;
-  next.inside = path.inside;
-  IndexRatio ratio = pass(scene_->interiors, view.interior, next.inside);
-  next.ray = {view.p, view.d};
-  next.weight = path.weight * greatest_size(layers.through);
-  next.level = path.level;
-  next.reflected = path.reflected;
-  next.wavelength = path.wavelength;
-  next.bounce = path.bounce;
-  next.transmitted = true;
+  Crossing c = cross(view, layers, path);
   step.through = a * layers.through;
   step.transmittance = grey(a) * layers.sigma;
-
-  const bool disperses = !is_one(ratio.dispersion);
-  step.straight = is_one(ratio.ior) && !disperses;
-  if (disperses && path.wavelength == 0) {
-    const Radiance r = disperse(view, layers, path, next, ratio);
+  step.straight = c.straight;
+  if (c.disperses && path.wavelength == 0) {
+    const Radiance r = disperse(view, layers, path, c);
     step.colour += step.through * r.colour;
     step.transmittance *= r.transmittance;
     return;
   }
-  if (disperses) ratio.ior *= index_factor(ratio.dispersion, path.wavelength);
-  if (!step.straight && !refract(view.d, layers.top, ratio.ior, next.ray.d)) {
-    next = inward(view, path, layers.top, next.weight);
-    step.through = a * film_tint(view, layers.top, next.ray.d);
-    step.transmittance = 0;
-    step.tir = true;
+  if (!c.straight) {
+    if (const auto tint = bend_path(view, layers, path, c.eta(path.wavelength), c.next)) {
+      step.through = a * *tint;
+      step.transmittance = 0;
+      step.tir = true;
+    }
   }
   step.continues = true;
-  path = next;
+  path = c.next;
 }
 
-// How many bands white light splits into: leaving one body for another, as many as the finer wants.
-int Tracer::dispersion_samples(const View& view, const Containment& beyond) const {
-  const int samples = scene_->interiors[view.interior].dispersion_samples;
-  if (beyond.empty()) return samples;
-  return std::max(samples, scene_->interiors[beyond.innermost()].dispersion_samples);
+// How many bands light is split into.
+int Tracer::bands(const View& view, const Crossing& c) const {
+  const auto samples_of = [&](std::uint32_t id) {
+    return scene_->interiors[id].dispersion_samples;
+  };
+  const int samples = samples_of(view.interior);
+  if (c.next.inside.empty()) return samples;
+  return std::max(samples, samples_of(c.next.inside.innermost()));
 }
 
 // White light splits into bands; each goes on as light of one wavelength.
 Radiance Tracer::disperse(const View& view, const LayerSum& layers, const Path& path,
-                          const Path& next, IndexRatio ratio) {
-  const int samples = dispersion_samples(view, next.inside);
+                          const Crossing& c) {
+  const int samples = bands(view, c);
   Radiance sum;
   for (int i = 0; i < samples; ++i) {
     const Band band = spectral_band(i, samples);
-    const double eta = ratio.ior * index_factor(ratio.dispersion, band.wavelength);
-    Path ray = next;
+    Path ray = c.next;
     vec3 tint = band.hue;
-    if (!refract(view.d, layers.top, eta, ray.ray.d)) {
-      ray = inward(view, path, layers.top, next.weight);
-      tint *= film_tint(view, layers.top, ray.ray.d);
-    }
+    if (const auto film = bend_path(view, layers, path, c.eta(band.wavelength), ray)) tint *= *film;
     ray.wavelength = band.wavelength;
     const Radiance r = trace(ray);
     sum.colour += tint * r.colour;
@@ -220,7 +265,7 @@ vec3 Tracer::reflect(const View& view, const LayerSum& layers, const Path& arriv
   const std::size_t end = scratch_->reflections.size();
   for (std::size_t i = first; i < end; ++i) {
     const Reflection r = scratch_->reflections[i];  // a copy: tracing moves the stack
-    if (tir && nearly_equal(r.n, layers.top)) continue;
+    if (tir && same_direction(r.n, layers.top)) continue;
     Path path = arrived;
     path.ray = {view.p, mirror(view.d, r.n, view.g)};
     path.weight = r.weight;

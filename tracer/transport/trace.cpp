@@ -114,6 +114,7 @@ Tracer::Look Tracer::look(const Hit& hit, dvec3 d) const {
   view.interior = hit.interior;
   view.lamps = s.lamps;
   view.double_illuminate = s.double_illuminate;
+  view.collects = s.photons.collects();
   view.depth = hit.t;
   // An interior texture hides those of single parts.
   if (s.has_parts && !(from_inside && s.inside != s.outside)) {

@@ -4,11 +4,13 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "tracer/compiled_scene.h"
 #include "tracer/primitives/store.h"
+#include "tracer/transport/photons.h"
 #include "tracer/transport/radiosity.h"
 
 namespace durer::tracer {
@@ -106,6 +108,10 @@ struct Scratch {
   std::vector<std::uint32_t> media;   // a stack: those that are being integrated
   std::vector<LampSpan> lamp_spans;   // of the ray whose media are being integrated
   std::vector<LitPart> lit_parts;
+  const PhotonMaps* photons = nullptr;   // if there are any
+  int below = 0;  // how many looks below surfaces are going on
+  FoundPhotons near_photons;             // around the point being lit
+  FoundPhotons media_photons;            // likewise, in media
 };
 
 /// Traces rays of one thread.
@@ -119,6 +125,7 @@ class Tracer {
  private:
   friend class MediaIntegrator;
   friend class PathTracer;
+  friend class PhotonTracer;
   // A surface that is being looked at.
   struct View {
     dvec3 p{0.0};
@@ -137,6 +144,7 @@ class Tracer {
     std::array<const Transform*, max_placement_depth> spaces;
     bool double_illuminate = false;
     bool gathering = false;  // seen by a ray that gathers indirect light
+    bool collects = true;    // shows photons
     double depth = 0;  // from the ray's origin
   };
   // What the layers of a surface send out, and let through.
@@ -169,7 +177,13 @@ class Tracer {
     const Incidence& centre;
     dvec3 p;
     const Containment& inside;
-    bool few = false;  // Scratch::casters has all that can be in between
+    bool collects = false;  // photons bring the light that targets bend
+    bool few = false;       // Scratch::casters has all that can be in between
+  };
+  // How somebody sees a lamp.
+  struct Receiver {
+    bool as_point = false;  // areas are points
+    bool collects = false;  // photons bring the light that targets bend
   };
   struct AreaPart {
     int u1, v1, u2, v2;
@@ -195,6 +209,7 @@ class Tracer {
   [[nodiscard]] double choose(View& view, const TextureChoice& choice) const;
   [[nodiscard]] dvec3 bend(const View& view, const LayerProgram& layer, SurfaceView& seen) const;
   [[nodiscard]] Step surface(const View& view, Path& path);
+  [[nodiscard]] Finish without_diffuse(const Finish& finish) const;
   [[nodiscard]] LayerSum sum_layers(const View& view, const Path& path);
   template <typename Visit>
   [[nodiscard]] LayerSum walk_layers(const View& view, float least, const Visit& visit) const;
@@ -218,14 +233,27 @@ class Tracer {
   [[nodiscard]] Gathered gather(dvec3 p, dvec3 raw, dvec3 n, std::uint32_t depth);
   [[nodiscard]] Reflectivity reflectivity_of(const View& view, const Containment& inside,
                                              const LayerPoint& layer) const;
+  [[nodiscard]] static bool same_direction(dvec3 a, dvec3 b);
   vec3 remember_reflection(const View& view, const Path& path, const LayerPoint& layer,
                            float sigma);
   void transmit(const View& view, const LayerSum& layers, Path& path, Step& step);
+  // A path on its way through a surface.
+  struct Crossing {
+    Path next;
+    IndexRatio ratio;
+    bool disperses = false;
+    bool straight = false;  // as if nothing were there
+    /// n before over n behind, at a wavelength in nm.
+    [[nodiscard]] double eta(double wavelength) const;
+  };
+  [[nodiscard]] Crossing cross(const View& view, const LayerSum& layers, const Path& path) const;
+  [[nodiscard]] std::optional<vec3> bend_path(const View& view, const LayerSum& layers,
+                                              const Path& path, double eta, Path& next) const;
+  [[nodiscard]] int bands(const View& view, const Crossing& crossing) const;
   [[nodiscard]] vec3 film_tint(const View& view, dvec3 n, dvec3 r) const;
   [[nodiscard]] static Path inward(const View& view, const Path& path, dvec3 n, float weight);
-  [[nodiscard]] int dispersion_samples(const View& view, const Containment& beyond) const;
   [[nodiscard]] Radiance disperse(const View& view, const LayerSum& layers, const Path& path,
-                                  const Path& next, IndexRatio ratio);
+                                  const Crossing& crossing);
   [[nodiscard]] vec3 reflect(const View& view, const LayerSum& layers, const Path& path,
                              std::size_t first, bool tir);
   [[nodiscard]] vec3 attenuation(const View& view, const Path& path) const;
@@ -241,15 +269,31 @@ class Tracer {
   [[nodiscard]] static bool is_behind(const View& view, const LayerPoint& layer, dvec3 l);
   [[nodiscard]] vec3 shade_by_area(const View& view, const LayerPoint& layer, const Light& light,
                                    const LampAtPoint& lamp);
-  [[nodiscard]] vec3 shade(const View& view, const LayerPoint& layer, const Light& light,
-                           const LampAtPoint& lamp, bool backside, bool grain = true) const;
+  // Light from one direction.
+  struct Beam {
+    dvec3 l{0.0};
+    vec3 light{0.0F};
+    bool highlights = true;
+  };
+  /// `grain`: with `crand`.
+  [[nodiscard]] vec3 shade(const View& view, const LayerPoint& layer, const Beam& beam,
+                           bool backside, bool grain = true) const;
+  // caustics.cpp
+  void find_photons(const View& view, dvec3 n);
+  [[nodiscard]] vec3 caustics(const View& view, const LayerPoint& layer);
+  [[nodiscard]] vec3 any_caustics(const View& view, const LayerPoint& layer);
+  [[nodiscard]] vec3 plain_caustics(const View& view, const LayerPoint& layer);
+  [[nodiscard]] bool has_caustics() const {
+    return scratch_->photons != nullptr && !scratch_->photons->surfaces.empty();
+  }
+  [[nodiscard]] bool leaves_to_photons(const Light& light, const Hit& hit) const;
   [[nodiscard]] vec3 shadowed(const Light& light, const Incidence& in, dvec3 p,
-                              const Containment& inside, bool as_point = false);
+                              const Containment& inside, Receiver receiver);
   [[nodiscard]] vec3 point_shadow(const Light& light, const Incidence& in, dvec3 p,
-                                  const Containment& inside);
+                                  const Containment& inside, bool collects);
   [[nodiscard]] double projected(const Light& light, const Incidence& in, dvec3 p);
   [[nodiscard]] vec3 walk_shadow(const Light& light, const Incidence& in, dvec3 p, double way,
-                                 Containment inside);
+                                 Containment inside, bool collects);
   [[nodiscard]] bool few_casters(const Light& light, const Incidence& in, dvec3 p);
   [[nodiscard]] dvec3 area_sample(const Light& light, int u, int v, dvec3 l);
   [[nodiscard]] vec3 area_corner(const AreaShadow& lit, int u, int v);
@@ -261,6 +305,19 @@ class Tracer {
   [[nodiscard]] MediaEffect media_along(const Path& path, double depth, const Hit* hit);
   [[nodiscard]] vec3 light_through_bodies(const Ray& ray, double depth, const Containment& inside);
   [[nodiscard]] vec3 light_through_air(const Ray& ray, double depth, const Containment& inside);
+
+  // subsurface.cpp
+  struct Body;
+  [[nodiscard]] bool is_translucent(const View& view, const Finish& finish) const;
+  [[nodiscard]] vec3 subsurface(const View& view, const Path& path, const LayerPoint& layer);
+  [[nodiscard]] bool reach_surface(const Body& body, const Ray& ray, Hit& hit);
+  template <typename Visit>
+  void each_lamp(const Body& body, dvec3 p, dvec3 n, Visit visit);
+  [[nodiscard]] dvec3 diffused(const Body& body);
+  [[nodiscard]] dvec3 entering(const Body& body, dvec3 p, dvec3 n);
+  [[nodiscard]] dvec3 scattered_once(const Body& body);
+  [[nodiscard]] double single_light(const Body& body, dvec3 x, double inner_cosine, int c);
+  [[nodiscard]] vec3 unscattered(const Body& body);
 
   // When a path is not worth following.
   struct Limits {
@@ -280,6 +337,10 @@ class Tracer {
   bool gathers_air_ = false;  // … and rays that gather indirect light see it
   Quality quality_;
 };
+
+/// Snell's law for unit `d`, from either side of `normal`; false beyond the critical angle. `eta`: n
+/// before over n behind.
+[[nodiscard]] bool refracted(dvec3 d, dvec3 normal, double eta, dvec3& out);
 
 /// The mirror image of `d` about `n`, kept on the side of `g` (shading §4.8).
 [[nodiscard]] dvec3 mirror(dvec3 d, dvec3 n, dvec3 g);

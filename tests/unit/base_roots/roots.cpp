@@ -115,7 +115,7 @@ TEST_CASE("roots: Descartes' bound is one, and even only where the roots are", "
   for (int i = 0; i < 5000; ++i) {
     std::array<double, 4> roots{};
     for (double& r : roots) r = uniform(random);
-    const durer::Polynomial<4> p = with_roots<4>(roots);
+    const durer::Polynomial<4> p = durer::with_roots<4>(roots);
     const double lo = uniform(random);
     const double hi = lo + 0.1 + std::abs(uniform(random));
     const auto inside = static_cast<int>(std::count_if(

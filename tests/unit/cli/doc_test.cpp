@@ -32,6 +32,13 @@ TEST_CASE("doc: macros with a docstring are told, others are helpers", "[cli][do
   CHECK(entries[1].text.size() == 2);
 }
 
+TEST_CASE("doc: a remark behind a value does not hide its kind", "[cli][doc]") {
+  const auto entries = read("/// File.\n\n#declare Eps = 1e-6;  // very small\n#declare Up = <0, 1, 0>; // not down\n");
+  REQUIRE(entries.size() == 3);
+  CHECK(entries[1].kind == "number");
+  CHECK(entries[2].kind == "vector");
+}
+
 TEST_CASE("doc: a declaration is told with its kind and source", "[cli][doc]") {
   const auto entries = read(
       "/// File.\n#ifndef (X_Inc_Temp)\n#declare X_Inc_Temp = version;\n#declare Red = rgb <1, 0, 0>;\n"

@@ -19,7 +19,7 @@ std::string sample(const Option& o) {
   static const std::map<std::string_view, std::string> special = {
       {"Output_File_Type", "N"}, {"Size", "8x6"},  {"Declare", "A=1"},    {"Bits_Per_Color", "8"},
       {"Version", "3.7"},        {"Quality", "9"}, {"File_Gamma", "1.8"}, {"Diagnostics", "json"},
-      {"Dither_Method", "B4"},
+      {"Dither_Method", "B4"},    {"Integrator", "path"},
   };
   if (o.keyword.ends_with("_Return")) return "S";
   if (const auto found = special.find(o.keyword); found != special.end()) return found->second;

@@ -1,3 +1,4 @@
+#include <glm/common.hpp>
 #include <random>
 #include <vector>
 
@@ -156,6 +157,33 @@ TEST_CASE("noise: every instruction set and the batch form give the same bits",
         FAIL("differs");
       }
     }
+  }
+}
+
+TEST_CASE("noise: octaves together are the octaves one by one, to the last bit",
+          "[functions][noise]") {
+  const double lambda = GENERATE(2.0, 1.7, 0.3);
+  const int count = GENERATE(1, 2, 4, 5, 6, 10);
+  for (const dvec3& p : random_points(300, 50.0)) {
+    for (int g = 1; g <= 3; ++g) {
+      double values[12];
+      noise_octaves(p, lambda, count, g, values);
+      double frequency = 1;
+      for (int i = 0; i < count; ++i, frequency *= lambda) {
+        if (values[i] != noise(frequency * p, g)) FAIL("octave " << i << " of generator " << g);
+      }
+    }
+    dvec3 sum(0.0);
+    double weight = 1;
+    for (int i = 0; i < count; ++i, weight /= 2) sum += weight * glm::abs(vnoise(p / weight));
+    if (sum != folded_vnoise(p, count)) FAIL("folded");
+    dvec3 stirred(0.0);
+    double frequency = 1;
+    weight = 1;
+    for (int i = 0; i < count; ++i, frequency *= lambda, weight *= 0.6) {
+      stirred += weight * vnoise(frequency * p);
+    }
+    if (stirred != vturbulence(p, {count, 0.6, lambda})) FAIL("vector turbulence");
   }
 }
 

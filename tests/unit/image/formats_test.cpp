@@ -86,6 +86,34 @@ TEST_CASE("formats: a picture comes back as it was written", "[image][formats]")
   }
 }
 
+TEST_CASE("formats: a large PNG comes back, grainy, flat and striped, at every level",
+          "[image][formats]") {
+  const test::Folder folder;
+  Image image(500, 600);
+  std::uint32_t grain = 1;
+  for (int y = 0; y < 600; ++y) {
+    for (int x = 0; x < 500; ++x) {
+      grain = grain * 1664525U + 1013904223U;
+      const float stripes = static_cast<float>(x * x % 97) / 97.0F;  // alike in all rows
+      const float v = y < 200 ? static_cast<float>(grain >> 24) / 255.0F : y < 400 ? 0.5F : stripes;
+      const auto p = image.at(x, y);
+      std::fill(p.begin(), p.end(), v);
+      p[3] = 1;
+    }
+  }
+  Encoding e = identity(GENERATE(8, 16));
+  const Encoded plain = format_named("png")->encode(image, e);
+  e.compression = GENERATE(-1, 0, 1, 9);
+  CAPTURE(e.bits, e.compression);
+  REQUIRE_FALSE(write(image, folder / "a.png", *format_named("png"), e));
+  const auto stored = test::read_back(folder / "a.png");
+  const Codes codes = to_codes(image, e, depth_for(e.bits), false);
+  REQUIRE(stored.values.size() == codes.values.size());
+  CHECK(std::equal(codes.values.begin(), codes.values.end(), stored.values.begin()));
+  const std::size_t raw = codes.values.size() * static_cast<std::size_t>(e.bits) / 8;
+  CHECK(plain.bytes.size() < raw / 2);
+}
+
 TEST_CASE("formats: JPEG keeps plain colours within two codes", "[image][formats]") {
   const test::Folder folder;
   REQUIRE_FALSE(write(test::plain(20, 20, .2F, .5F, .8F), folder / "a.jpg", *format_named("jpeg"),

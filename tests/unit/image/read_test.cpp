@@ -149,6 +149,45 @@ TEST_CASE("read: GIF gives indices", "[image][read]") {
   CHECK(read.picture->codes == std::vector<std::uint16_t>{2, 1});
 }
 
+TEST_CASE("read: portable maps of every kind", "[image][read]") {
+  const Folder folder;
+  const auto read_text = [&](const std::string& bytes) {
+    const std::string path = folder / "a.pnm";
+    std::FILE* file = std::fopen(path.c_str(), "wb");
+    REQUIRE(file != nullptr);
+    std::fwrite(bytes.data(), 1, bytes.size(), file);
+    std::fclose(file);
+    return read(path);
+  };
+  using Codes = std::vector<std::uint16_t>;
+  const auto codes = [&](const std::string& bytes) {
+    const PictureRead found = read_text(bytes);
+    CAPTURE(bytes, found.error);
+    REQUIRE(found.picture);
+    return found.picture->codes;
+  };
+  using namespace std::string_literals;
+  CHECK(codes("P1 3 2 1 0 1 010") == Codes{0, 255, 0, 255, 0, 255});
+  CHECK(codes("P4 # rows begin with a new byte\n3 2\n\xA0\x40") == Codes{0, 255, 0, 255, 0, 255});
+  CHECK(codes("P2 2 1 255 7 255") == Codes{7, 255});
+  CHECK(codes("P5\n#one\n#two\n2 1\n255\n\x07\xFF") == Codes{7, 255});
+  CHECK(codes("P3 1 1 65535 1 2 65535") == Codes{1, 2, 65535});
+  CHECK(codes("P6 1 1 65535\n\0\x01\x02\x03\xFF\xFF"s) == Codes{1, 0x203, 0xFFFF});
+  const PictureRead fifths = read_text("P5 2 1 5\n\x01\x05");
+  REQUIRE(fifths.picture);
+  CHECK(fifths.picture->is_real());
+  CHECK(fifths.picture->samples == std::vector<float>{0.2F, 1.0F});
+  for (const char* broken : {"P5 2 2 255\nabc", "P2 2 1 255 7", "P3 1 1 255 1 x 2", "P1 2 1 1"}) {
+    CAPTURE(broken);
+    CHECK(read_text(broken).error == "it ends too early");
+  }
+  for (const char* senseless : {"P5 0 2 255\nabc", "P5 2", "P2 1 1 0 0", "P2 1 1 70000 0",
+                                "P5 4000000 4000000 255\n", "P6 -1 1 255\nabc"}) {
+    CAPTURE(senseless);
+    CHECK(read_text(senseless).error == "its header makes no sense");
+  }
+}
+
 TEST_CASE("read: files that are none say so", "[image][read]") {
   const Folder folder;
   CHECK_FALSE(image::read(folder / "absent.png").picture);

@@ -21,7 +21,7 @@ Args args_of(const std::string& text) {
 
 std::string patch(const std::string& settings, int points = 16) {
   std::string text = "bicubic_patch { " + settings;
-  for (int i = 0; i < points; ++i) text += fmt::format(" <{}, {}, 0>,", i % 4, i / 4);
+  for (int i = 0; i < points; ++i) text += fmt::format("{}<{}, {}, 0>", i == 0 ? " " : ", ", i % 4, i / 4);
   return text + " }";
 }
 
@@ -30,16 +30,16 @@ std::string patch(const std::string& settings, int points = 16) {
 TEST_CASE("lathe: linear unless a spline is named, commas may be missing", "[interpreter][lathe]") {
   CHECK(args_of("lathe { 2, <0.5, 1>, <1, 2> }") == Args{0, 0.5, 1, 1, 2});
   CHECK(args_of("lathe { linear_spline 2 <0.5, 1> <1, 2> }") == Args{0, 0.5, 1, 1, 2});
-  CHECK(args_of("lathe { quadratic_spline 1 x }")[0] == 1);
-  CHECK(args_of("lathe { cubic_spline 1 x }")[0] == 2);
-  CHECK(args_of("lathe { bezier_spline 1 x }")[0] == 3);
+  CHECK(args_of("lathe { quadratic_spline 1 <1, 0> }")[0] == 1);
+  CHECK(args_of("lathe { cubic_spline 1 <1, 0> }")[0] == 2);
+  CHECK(args_of("lathe { bezier_spline 1 <1, 0> }")[0] == 3);
 }
 
 TEST_CASE("lists of points: a number is a whole point, a count loses its fraction",
           "[interpreter][lathe]") {
   CHECK(args_of("lathe { 2.9, 1, <2, 3> }") == Args{0, 1, 1, 2, 3});
   CHECK(args_of("#declare A = array[2] { <1, 2>, <3, 4> } "
-                "lathe { 2, #for (I, 0, 1) A[I], #end }") == Args{0, 1, 2, 3, 4});
+                "lathe { 2, #for (I, 0, 1) A[I] #end }") == Args{0, 1, 2, 3, 4});
 }
 
 TEST_CASE("lists of points: what is missing is counted, an absurd number is refused",
@@ -56,10 +56,10 @@ TEST_CASE("lists of points: what is missing is counted, an absurd number is refu
 TEST_CASE("prism: spline and sweep in any order, the last one counts", "[interpreter][prism]") {
   CHECK(args_of("prism { -1, 2, 3, <0, 1>, <2, 3>, <4, 5> }") ==
         Args{0, 0, -1, 2, 0, 0, 1, 2, 3, 4, 5});
-  CHECK(args_of("prism { conic_sweep cubic_spline 0 1 1 x }") == Args{2, 1, 0, 1, 0, 1, 0});
-  CHECK(args_of("prism { cubic_spline conic_sweep linear_sweep bezier_spline 0, 1, 1, x }") ==
+  CHECK(args_of("prism { conic_sweep cubic_spline 0 1 1 <1, 0> }") == Args{2, 1, 0, 1, 0, 1, 0});
+  CHECK(args_of("prism { cubic_spline conic_sweep linear_sweep bezier_spline 0, 1, 1, <1, 0> }") ==
         Args{3, 0, 0, 1, 0, 1, 0});
-  CHECK(args_of("prism { 0, 1, 1, x open }") == Args{0, 0, 0, 1, 1, 1, 0});
+  CHECK(args_of("prism { 0, 1, 1, <1, 0> open }") == Args{0, 0, 0, 1, 1, 1, 0});
 }
 
 TEST_CASE("sor: a list, and perhaps no caps", "[interpreter][sor]") {

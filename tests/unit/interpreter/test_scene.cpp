@@ -120,7 +120,6 @@ TEST_CASE("scene: what is not supported fails only when it is used", "[interpret
   const Run used = run("sphere { 0, 1 pigment { bozo turbulence 1 } }");
   REQUIRE(used.scene);  // the tracer reports it, with its origin
   CHECK(top_layer(used).pigment->unsupported == "`bozo`");
-  CHECK(error_of("global_settings { photons { count 1 } }").substr(0, 5) == "D0220");
 }
 
 TEST_CASE("scene: messages name the block and the place", "[interpreter][diagnostics]") {

@@ -1,0 +1,98 @@
+#include "functions/simd/nearest_points.h"
+
+#include "functions/simd/quad.h"
+
+namespace durer::functions::simd {
+namespace {
+
+/// The three smallest values seen, ascending; of quads: lane by lane.
+template <class T>
+struct Smallest {
+  T a, b, c;
+
+  DURER_INLINE void add(T d) {
+    const T beyond_a = larger(a, d);
+    a = smaller(a, d);
+    const T beyond_b = larger(b, beyond_a);
+    b = smaller(b, beyond_a);
+    c = smaller(c, beyond_b);
+  }
+};
+
+template <class V, int exponent>
+DURER_INLINE V power(V d, int n) {
+  if constexpr (exponent == 2) return d * d;
+  const V size = larger(d, -d);
+  if constexpr (exponent == 1) return size;
+  V product = size * size;
+  for (int i = 2; i < n; ++i) product = product * size;
+  return product;
+}
+
+template <class V>
+DURER_INLINE V load(const double* p) {
+  V v;
+  std::memcpy(&v, p, sizeof v);
+  return v;
+}
+
+/// `V`: a vector of doubles; 4 is a multiple of its lanes. `exponent`: 1, 2, or 3 for all others.
+template <class V, int exponent>
+DURER_INLINE Smallest3 search(const PointList& points, const dvec3& p, int n,
+                              const Smallest3& so_far) {
+  constexpr int lanes = sizeof(V) / sizeof(double);
+  const V none = V{} + nothing_near[0];
+  Smallest<V> found{none, none, none};
+  for (int i = 0; i < points.count; i += lanes) {
+    found.add((power<V, exponent>(load<V>(points.x + i) - p.x, n) +
+               power<V, exponent>(load<V>(points.y + i) - p.y, n)) +
+              power<V, exponent>(load<V>(points.z + i) - p.z, n));
+  }
+  Smallest<double> all{so_far[0], so_far[1], so_far[2]};
+  for (int lane = 0; lane < lanes; ++lane) {
+    all.add(found.a[lane]);
+    all.add(found.b[lane]);
+    all.add(found.c[lane]);
+  }
+  return {all.a, all.b, all.c};
+}
+
+template <class V>
+DURER_INLINE Smallest3 search(const PointList& points, const dvec3& p, int n,
+                              const Smallest3& so_far) {
+  if (n == 2) return search<V, 2>(points, p, n, so_far);
+  if (n == 1) return search<V, 1>(points, p, n, so_far);
+  return search<V, 3>(points, p, n, so_far);
+}
+
+Smallest3 baseline(const PointList& points, const dvec3& p, int n, const Smallest3& so_far) {
+  return search<Double2>(points, p, n, so_far);
+}
+#ifdef __x86_64__
+__attribute__((target("avx2"))) Smallest3 avx2(const PointList& points, const dvec3& p, int n,
+                                               const Smallest3& so_far) {
+  return search<Double4>(points, p, n, so_far);
+}
+#endif
+
+using Kernel = Smallest3 (*)(const PointList&, const dvec3&, int, const Smallest3&);
+constinit Kernel best = &baseline;
+[[maybe_unused]] const bool chosen = [] {
+#ifdef __x86_64__
+  if (__builtin_cpu_supports("avx2") != 0) best = &avx2;
+#endif
+  return true;
+}();
+
+}  // namespace
+
+Smallest3 smallest_distances(const PointList& points, const dvec3& p, int exponent,
+                             const Smallest3& so_far) {
+  return best(points, p, exponent, so_far);
+}
+Smallest3 smallest_distances(const PointList& points, const dvec3& p, int exponent,
+                             const Smallest3& so_far, int set) {
+  return (set == 0 ? &baseline : best)(points, p, exponent, so_far);
+}
+
+}  // namespace durer::functions::simd
