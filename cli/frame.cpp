@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <span>
 
 #include "cli/checkpointing.h"
 #include "cli/commands.h"
@@ -13,6 +14,7 @@
 #include "cli/interrupt.h"
 #include "cli/limits.h"
 #include "cli/progress.h"
+#include "cli/scene_file.h"
 #include "cli/terminal.h"
 #include "tracer/compile.h"
 
@@ -87,7 +89,11 @@ class Render {
 
   int trace(const scene::Scene& scene, const tracer::CompiledScene& compiled,
             const Window& window) {
-    const tracer::RenderOptions options = render_options(settings_, window);
+    tracer::RenderOptions options = render_options(settings_, window);
+    if (const auto problem = take_gathered_light(options)) {
+      return console_.fail(Code::file_not_found, *problem,
+                           "`+RFO` writes such a file, `-RFI` renders without it");
+    }
     Checkpointing saved(state_path(output_.path), scene, options);
     if (settings_.continue_trace) {
       if (const auto refused = saved.take_up()) {
@@ -111,6 +117,7 @@ class Render {
       line.clear();
     }
     warning_ = result.warning;
+    if (options.keep_gathered && !result.cancelled) write_gathered_light(result.gathered);
     const image::Encoding encoding = encoding_of(settings_, scene.settings);
     if (!result.cancelled) return finish(result, window, encoding, saved);
     const auto lost = saved.save();
@@ -122,6 +129,23 @@ class Render {
       if (samples > 0) return write_so_far(so_far.image, window, encoding, state);
     }
     return stopped(state, expired, seconds);
+  }
+
+  // Light that an earlier render gathered. Animations begin without: the first frame writes the file.
+  std::optional<std::string> take_gathered_light(tracer::RenderOptions& options) const {
+    options.keep_gathered = settings_.radiosity_to_file;
+    if (!settings_.radiosity_from_file) return std::nullopt;
+    const std::string& path = settings_.radiosity_file;
+    const auto text = read_file(path);
+    if (!text && settings_.radiosity_to_file) return std::nullopt;
+    if (!text) return fmt::format("cannot read the gathered light of `{}`", path);
+    if (tracer::take_gathered(options, *text)) return std::nullopt;
+    return fmt::format("`{}` is no file of gathered light", path);
+  }
+
+  void write_gathered_light(const std::string& text) {
+    const auto bytes = std::span(reinterpret_cast<const unsigned char*>(text.data()), text.size());
+    if (auto problem = image::write_file(settings_.radiosity_file, bytes)) warning_ = *problem;
   }
 
   // Random paths show all of the picture early; it is only noisy.

@@ -40,6 +40,7 @@ constexpr std::array command_line_only = {
     std::string_view("Debug_File"),         std::string_view("Fatal_File"),
     std::string_view("Render_File"),        std::string_view("Statistic_File"),
     std::string_view("Warning_File"),       std::string_view("Radiosity_File_Name"),
+    std::string_view("Radiosity_To_File"),  std::string_view("Radiosity_From_File"),
     std::string_view("Max_Macro_Depth"),    std::string_view("Max_Include_Depth"),
     std::string_view("Max_Loop_Turns"),     std::string_view("Max_Seconds"),
     std::string_view("Max_Render_Seconds"), std::string_view("Max_Memory"),

@@ -27,6 +27,9 @@ Option{"Dither_Method",      "",   Form::value, "", "", "m", "B2 B3 B4 patterns 
 Option{"File_Gamma",         "",   Form::value, "", "file-gamma", "curve", "curve of the file: sRGB or an exponent; EXR and HDR are always linear", Group::files, apply::file_gamma},
 Option{"Library_Path",       "L",  Form::value, "", "include-path", "folder", "search this folder for includes and INI files; repeatable", Group::files, apply::library_path},
 Option{"Include_Ini",        "",   Form::value, "", "ini", "file", "read this INI file, or one section of it: file[section]", Group::files, nullptr},
+Option{"Radiosity_From_File","RFI",Form::flag,  "", "", "", "begin with the indirect light that an earlier render gathered", Group::files, apply::boolean<&S::radiosity_from_file>},
+Option{"Radiosity_To_File",  "RFO",Form::flag,  "", "", "", "write the gathered indirect light", Group::files, apply::boolean<&S::radiosity_to_file>},
+Option{"Radiosity_File_Name","RF", Form::value, "", "", "file", "the file of the two options above; default object.rca", Group::files, apply::text<&S::radiosity_file>},
 Option{"Create_Ini",         "GI", Form::value, "", "", "file", "write the settings in force to an INI file", Group::files, apply::text<&S::create_ini>},
 
 // Size
@@ -145,7 +148,6 @@ Option{"BSP_MissChance",     "",   Form::value, "", "", "x", "", Group::no_effec
 Option{"Field_Render",       "UF", Form::flag,  "", "", "", "ignored, as in POV-Ray 3.7", Group::no_effect, apply::ignored_boolean},
 Option{"Odd_Field",          "UO", Form::flag,  "", "", "", "ignored, as in POV-Ray 3.7", Group::no_effect, apply::ignored_boolean},
 Option{"Radiosity_Vain_Pretrace","RVP",Form::flag,"","", "", "show the pretrace of radiosity", Group::no_effect, apply::ignored_boolean},
-Option{"Radiosity_File_Name","RF", Form::value, "", "", "file", "used by the two options of radiosity below", Group::no_effect, apply::ignored_text},
 Option{"Real_Time_Raytracing","RTR",Form::flag, "", "", "", "", Group::no_effect, apply::ignored_boolean},
 Option{"Test_Abort",         "X",  Form::flag,  "Test_Abort_Count", "", "[n]", "every render can be interrupted", Group::no_effect, apply::ignored_boolean},
 Option{"Test_Abort_Count",   "",   Form::value, "", "", "n", "", Group::no_effect, apply::ignored_number},
@@ -162,8 +164,6 @@ Option{"Histogram_Grid_Size","",   Form::value, "", "", "x", "", Group::obsolete
 
 // Known, and an error when switched on
 Option{"Clockless_Animation","KLA",Form::flag,  "", "", "", "several cameras as frames", Group::not_yet, apply::only_off},
-Option{"Radiosity_From_File","RFI",Form::flag,  "", "", "", "read radiosity samples", Group::not_yet, apply::only_off},
-Option{"Radiosity_To_File",  "RFO",Form::flag,  "", "", "", "write radiosity samples", Group::not_yet, apply::only_off},
 };
 // clang-format on
 

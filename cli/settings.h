@@ -61,6 +61,9 @@ struct Settings {
   GammaCurve file_gamma = GammaCurve::srgb();
   std::vector<std::string> library_paths;
   std::string create_ini;
+  bool radiosity_from_file = false;
+  bool radiosity_to_file = false;
+  std::string radiosity_file = "object.rca";
 
   // Size and part
   int width = 800;

@@ -6,10 +6,12 @@
 #include <functional>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "image/image.h"
 #include "tracer/compile.h"
+#include "tracer/transport/irradiance_cache.h"
 
 namespace durer::tracer {
 
@@ -36,12 +38,19 @@ struct RenderOptions {
   // Of scenes that are compiled for random paths; these have no other anti-aliasing.
   int samples = 64;  // paths per pixel; others ignore it
   PathRules paths;
+  // Gathered light that is there before (irradiance_cache.h), and whether to hand out all in the end.
+  std::vector<IrradianceSample> gathered;
+  bool keep_gathered = false;
   // Part of the picture to render: 0-based, end exclusive; -1: to the edge.
   int first_column = 0;
   int end_column = -1;
   int first_row = 0;
   int end_row = -1;
 };
+
+/// Takes up the gathered light in the text of a file, which the oracle may have written; false, with
+/// nothing changed, if it is no such file.
+[[nodiscard]] bool take_gathered(RenderOptions& options, std::string_view file);
 
 struct Progress {
   std::uint64_t pixels_done = 0;
@@ -54,6 +63,7 @@ struct RenderResult {
   image::Image image;  // pixels outside the rendered part are 0
   Progress final;
   bool cancelled = false;
+  std::string gathered;  // if that was wanted: a file of all gathered light
   std::string warning;  // why a file that the scene asks for could not be written; empty: all is well
 };
 

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "tracer/film/progress.h"
@@ -77,6 +78,10 @@ class Pretrace {
     }
   }
 
+  /// What is known already.
+  void begin_with(std::span<const IrradianceSample> samples) {
+    for (const IrradianceSample& s : samples) cache_.add(s, program_->reach(s));
+  }
   [[nodiscard]] IrradianceCache cache() && { return std::move(cache_); }
 
  private:

@@ -12,6 +12,7 @@
 #include "tracer/film/progress.h"
 #include "tracer/film/progressive.h"
 #include "tracer/film/threads.h"
+#include "tracer/transport/irradiance_file.h"
 #include "tracer/transport/photon_shooting.h"
 
 namespace durer::tracer {
@@ -104,14 +105,14 @@ IrradianceCache gather_light(const Viewpoint& view, int threads, ProgressMeter& 
   if (!view.scene->radiosity) return {};
   const RenderOptions& o = *view.options;
   Pretrace<Eye> pretrace(*view.scene->radiosity, tiles_of(part_of(o)), std::max(o.width, o.height));
+  pretrace.begin_with(o.gathered);
   pretrace.run(threads, [&] { return std::make_unique<Eye>(view); }, meter);
   return std::move(pretrace).cache();
 }
 
 // Threads take the next block in row-major order until none is left, past those already done.
 void render_blocks(const Viewpoint& view, const std::vector<Block>& blocks, int threads,
-                   ProgressMeter& meter, Checkpoint& film) {
-  const IrradianceCache cache = gather_light(view, threads, meter);
+                   ProgressMeter& meter, Checkpoint& film, const IrradianceCache& cache) {
   std::atomic<std::size_t> next{0};
   const auto work = [&](int) {
     BlockRenderer renderer(view, film.image);
@@ -175,6 +176,12 @@ bool Checkpoint::restore(State state) {
   return true;
 }
 
+bool take_gathered(RenderOptions& options, std::string_view file) {
+  auto samples = decode_samples(file);
+  if (samples) options.gathered = std::move(*samples);
+  return samples.has_value();
+}
+
 RenderResult render(const CompiledScene& scene, const RenderOptions& options,
                     const std::function<void(const Progress&)>& on_progress,
                     const std::atomic<bool>* cancel, Checkpoint* checkpoint) {
@@ -192,7 +199,9 @@ RenderResult render(const CompiledScene& scene, const RenderOptions& options,
   } else {
     const PhotonMaps photons = shoot_photons(scene, threads, meter, result.warning);
     view.photons = &photons;
-    render_blocks(view, blocks, threads, meter, film);
+    const IrradianceCache cache = gather_light(view, threads, meter);
+    render_blocks(view, blocks, threads, meter, film, cache);
+    if (options.keep_gathered) result.gathered = encode_samples(cache.samples());
   }
   result.final = meter.now();
   result.cancelled = meter.cancelled();
