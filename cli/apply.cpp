@@ -75,6 +75,11 @@ Problem file_gamma(Settings& s, std::string_view value) {
   return {};
 }
 
+Problem integrator(Settings& s, std::string_view value) {
+  s.paths = same_word(value, "path");
+  return s.paths || same_word(value, "trace") ? Problem() : expected("trace or path", value);
+}
+
 Problem size(Settings& s, std::string_view value) {
   const auto both = parse_size(value);
   if (!both) return expected("a size such as 800x600", value);

@@ -123,6 +123,7 @@ Problem input(Settings& s, std::string_view value);
 Problem output_type(Settings& s, std::string_view value);
 Problem dither_method(Settings& s, std::string_view value);
 Problem file_gamma(Settings& s, std::string_view value);
+Problem integrator(Settings& s, std::string_view value);
 Problem size(Settings& s, std::string_view value);
 Problem library_path(Settings& s, std::string_view value);
 Problem declare(Settings& s, std::string_view value);

@@ -45,6 +45,8 @@ tracer::RenderOptions render_options(const Settings& s, const Window& window) {
   o.block_size = s.block_size;
   o.alpha = s.alpha;
   o.threads = s.threads;
+  o.samples = s.paths ? s.path_samples : 0;
+  o.paths.max_bounces = s.path_bounces;
   o.first_column = window.first_column;
   o.end_column = window.end_column;
   o.first_row = window.first_row;

@@ -47,7 +47,11 @@ class Render {
     constexpr std::size_t large = 1 << 20;  // bytes
     frame->sources.rest(large);
     tracer::CompiledScenePtr compiled;
-    if (frame->scene) compiled = tracer::compile(*frame->scene, frame->diagnostics, settings_.quality);
+    if (frame->scene) {
+      compiled = tracer::compile(*frame->scene, frame->diagnostics, settings_.quality,
+                                 settings_.paths ? tracer::Integrator::path
+                                                 : tracer::Integrator::trace);
+    }
     console_.print(frame->diagnostics);
     if (!compiled || frame->diagnostics.has_errors()) return exit_code::error;
     stop_ = &interrupts_set_flag();  // from here on there is something to keep
@@ -107,14 +111,30 @@ class Render {
       line.clear();
     }
     warning_ = result.warning;
-    if (result.cancelled) return stopped(saved, expired, seconds);
-    return finish(result, window, encoding_of(settings_, scene.settings), saved);
+    const image::Encoding encoding = encoding_of(settings_, scene.settings);
+    if (!result.cancelled) return finish(result, window, encoding, saved);
+    const auto lost = saved.save();
+    std::string state = lost ? *lost : fmt::format("`+C` takes up what is in {}", saved.path());
+    if (settings_.paths) {
+      tracer::Checkpoint::State so_far = saved.checkpoint().copy();
+      const int samples = tracer::fewest_samples(options, so_far);
+      state = fmt::format("{} of {} samples per pixel; {}", samples, options.samples, state);
+      if (samples > 0) return write_so_far(so_far.image, window, encoding, state);
+    }
+    return stopped(state, expired, seconds);
   }
 
-  int stopped(Checkpointing& saved, bool expired, double seconds) {
-    const auto lost = saved.save();
-    const std::string state =
-        lost ? *lost : fmt::format("`+C` takes up what is in {}", saved.path());
+  // Random paths show all of the picture early; it is only noisy.
+  int write_so_far(image::Image& image, const Window& window, const image::Encoding& encoding,
+                   const std::string& state) {
+    if (const auto error = write(image, window, encoding)) {
+      return console_.fail(Code::file_not_written, *error);
+    }
+    console_.print(Stream::fatal, fmt::format("stopped, the picture has {}\n", state));
+    return exit_code::interrupted;
+  }
+
+  int stopped(const std::string& state, bool expired, double seconds) {
     if (expired) {
       return console_.fail(
           Code::limit, fmt::format("rendering takes longer than Max_Render_Seconds={:g}", seconds),
@@ -124,12 +144,17 @@ class Render {
     return exit_code::interrupted;
   }
 
+  [[nodiscard]] std::optional<std::string> write(image::Image& image, const Window& window,
+                                                 const image::Encoding& encoding) const {
+    blacken_outside(image, window);
+    if (output_.path.empty()) return std::nullopt;
+    return image::write(image, output_.path, *output_.format, encoding);
+  }
+
   int finish(tracer::RenderResult& result, const Window& window, const image::Encoding& encoding,
              Checkpointing& saved) {
-    blacken_outside(result.image, window);
-    if (!output_.path.empty()) {
-      const auto error = image::write(result.image, output_.path, *output_.format, encoding);
-      if (error) return console_.fail(Code::file_not_written, *error);
+    if (const auto error = write(result.image, window, encoding)) {
+      return console_.fail(Code::file_not_written, *error);
     }
     saved.remove();
     if (settings_.show) show(result.image, encoding);

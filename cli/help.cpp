@@ -50,7 +50,8 @@ constexpr std::string_view notes =
 constexpr std::string_view exit_codes =
     "  0  every picture is complete (or help was printed, or all scenes are good)\n"
     "  1  an error; no picture was written, except of frames before it\n"
-    "  2  stopped by SIGINT or SIGTERM; no half picture is ever written\n";
+    "  2  stopped by SIGINT or SIGTERM; no half picture is ever written, but one of\n"
+    "     random paths as far as it has come\n";
 
 constexpr std::string_view explanations =
     "\n## Animations\n\n"

@@ -48,6 +48,9 @@ Option{"Jitter_Amount",      "",   Form::value, "", "", "x", "0 to 1", Group::sa
 Option{"Antialias_Gamma",    "AG", Form::value, "", "", "x", "curve in which neighbours are compared; default 2.5", Group::sampling, apply::aa_gamma},
 Option{"Quality",            "Q",  Form::value, "", "", "n", "9: everything; 8: no media, 7: no reflection and bumps, 5: no transparency, 4: no area lights, 3: no shadows, 1: pigments only", Group::sampling, apply::clamped_whole<&S::quality, 0, 9>},
 Option{"Render_Block_Size",  "BS", Form::value, "", "", "n", "pixels; anti-aliasing compares within blocks of this size; default 32", Group::sampling, apply::clamped_whole<&S::block_size, 4, 65535>},
+Option{"Integrator",         "",   Form::value, "", "integrator", "trace|path", "how light is found: as POV-Ray does it, or along random paths, with all light from all surfaces", Group::sampling, apply::integrator},
+Option{"Path_Samples",       "",   Form::value, "", "samples", "n", "random paths per pixel; default 64; four times as many halve the noise", Group::sampling, apply::whole<&S::path_samples, 1, 16777216>},
+Option{"Path_Bounces",       "",   Form::value, "", "max-bounces", "n", "surfaces that a random path may come from; default 64; 1: only light straight from its source", Group::sampling, apply::whole<&S::path_bounces, 0, 65535>},
 Option{"Work_Threads",       "WT", Form::value, "", "threads", "n", "threads; default one per processor", Group::sampling, apply::clamped_whole<&S::threads, 1, 512>},
 
 // What the scene sees
@@ -184,6 +187,9 @@ const Option* option_of_switch(std::string_view text) {
   return best;
 }
 
-Problem check(const Settings& s) { return check_untrusted(s); }
+Problem check(const Settings& s) {
+  if (s.paths && s.quality < 9) return "random paths leave nothing out: Integrator=path needs Quality=9";
+  return check_untrusted(s);
+}
 
 }  // namespace durer::cli

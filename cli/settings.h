@@ -78,6 +78,9 @@ struct Settings {
   int quality = 9;
   int block_size = 32;
   int threads = 0;  // 0: one per processor
+  bool paths = false;  // light is followed along random paths
+  int path_samples = 64;
+  int path_bounces = 64;
 
   // The scene's world
   std::vector<std::pair<std::string, std::variant<double, std::string>>> declares;

@@ -95,7 +95,7 @@ std::uint64_t fingerprint(const scene::Scene& scene, const scene::Registry& regi
                           const tracer::RenderOptions& o) {
   Hash hash;
   for (const int n : {o.width, o.height, o.antialias ? o.aa_depth : 0, o.block_size, o.first_column,
-                      o.end_column, o.first_row, o.end_row, o.alpha ? 1 : 0}) {
+                      o.end_column, o.first_row, o.end_row, o.alpha ? 1 : 0, o.samples, o.samples > 0 ? o.paths.max_bounces : 0}) {
     hash.add(n);
   }
   for (const float x : {o.aa_threshold, o.aa_jitter, o.aa_gamma}) hash.add(o.antialias ? x : 0.0F);

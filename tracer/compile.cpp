@@ -1,6 +1,7 @@
 #include "tracer/compile.h"
 
 #include "tracer/compiled_scene.h"
+#include "tracer/transport/emitters.h"
 #include "tracer/patterns/patterns.h"
 #include "tracer/primitives/registry.h"
 #include "tracer/unsupported.h"
@@ -17,8 +18,9 @@ const scene::Finish* interior_words(const scene::Scene& scene, scene::TextureId 
   return texture.layers.empty() ? nullptr : &*texture.layers.back().finish;
 }
 
-bool all_supported(const scene::Scene& scene, const Geometry& geometry, Diagnostics& diagnostics) {
-  UnsupportedReport report(scene, diagnostics);
+bool all_supported(const scene::Scene& scene, const Geometry& geometry, Quality quality,
+                   Diagnostics& diagnostics) {
+  UnsupportedReport report(scene, diagnostics, quality.path);
   const auto check = [&report](scene::TextureId id) {
     if (id != scene::none && id != texture_of_placement) report.check_texture(id);
   };
@@ -141,14 +143,18 @@ const scene::Registry& registry() {
 
 void DeleteCompiledScene::operator()(const CompiledScene* s) const { delete s; }
 
-CompiledScenePtr compile(const scene::Scene& scene, Diagnostics& diagnostics, int quality) {
+CompiledScenePtr compile(const scene::Scene& scene, Diagnostics& diagnostics, int level,
+                         Integrator integrator) {
+  Quality quality(level);
+  quality.path = integrator == Integrator::path;
   std::optional<Geometry> geometry = Geometry::build(scene, diagnostics);
-  if (!geometry || !all_supported(scene, *geometry, diagnostics)) return nullptr;
-  auto out = std::make_unique<CompiledScene>(scene, std::move(*geometry), Quality(quality));
+  if (!geometry || !all_supported(scene, *geometry, quality, diagnostics)) return nullptr;
+  auto out = std::make_unique<CompiledScene>(scene, std::move(*geometry), quality);
   compile_surfaces(*out);
   compile_interiors(scene, *out);
   if (!compile_lights(scene, *out, diagnostics)) return nullptr;
   find_camera(scene, *out);
+  if (quality.path) out->emitters = find_emitters(*out);
   return CompiledScenePtr(out.release());
 }
 

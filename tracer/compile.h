@@ -20,11 +20,19 @@ struct DeleteCompiledScene {
 };
 using CompiledScenePtr = std::unique_ptr<const CompiledScene, DeleteCompiledScene>;
 
+/// How light is followed through the scene.
+enum class Integrator : std::uint8_t {
+  trace,  // as POV-Ray does it: mirrors and glass, lamps, radiosity where the scene asks for it
+  path,   // along random paths, all light from all surfaces (docs/path-tracing.md)
+};
+
 /// Builds stores, hierarchy, CSG programs and texture programs. Whatever the scene uses that the
 /// tracer cannot render is reported as an error with its origin; then the result is null.
 /// `scene` must outlive the result. `quality`, 0 to 9, leaves out parts of the work below 9
-/// (shading §3.6).
+/// (shading §3.6). A scene is compiled for one integrator: paths find light that the other one
+/// has to assume.
 [[nodiscard]] CompiledScenePtr compile(const scene::Scene& scene, Diagnostics& diagnostics,
-                                       int quality = 9);
+                                       int quality = 9,
+                                       Integrator integrator = Integrator::trace);
 
 }  // namespace durer::tracer

@@ -14,6 +14,7 @@
 #include "tracer/shading/interior.h"
 #include "tracer/shading/sky.h"
 #include "tracer/shading/texture.h"
+#include "tracer/transport/emitters.h"
 #include "tracer/transport/radiosity.h"
 #include "tracer/transport/subsurface.h"
 
@@ -38,7 +39,7 @@ inline constexpr ProgramId program_of_placement = scene::none - 1;
 struct CompiledScene {
   CompiledScene(const scene::Scene& s, Geometry g, Quality q)
       : scene(&s), quality(q), geometry(std::move(g)), textures(s, q), sky(s), atmosphere(s), media(s.settings) {
-    if (s.settings.radiosity && q.radiosity) radiosity.emplace(s);
+    if (s.settings.radiosity && q.radiosity && !q.path) radiosity.emplace(s);
     if (s.settings.subsurface && q.subsurface) {
       subsurface.emplace(*s.settings.subsurface, s.settings.mm_per_unit);
     }
@@ -60,6 +61,7 @@ struct CompiledScene {
   std::vector<Geometry> projectors;  // what lamps shine through, each alone
   MediaStore media;      // empty at qualities that leave media out
   MediaRange air_media;  // of `media`: those that are everywhere
+  Emitters emitters;     // empty unless light is followed along random paths
   Containment around_camera;  // bodies that hold the camera's location
 };
 

@@ -88,6 +88,25 @@ std::span<const std::vector<std::uint32_t>> Geometry::lamp_sets() const {
 std::span<const Projection> Geometry::projections() const { return state_->projections; }
 std::span<const PhotonTarget> Geometry::photon_targets() const { return state_->photon_targets; }
 
+void Geometry::for_surfaces(const std::function<void(const Leaf&, const Bounds3&)>& visit) const {
+  for (const TypeStores& stores : state_->world().lone) {
+    for (const Store* store : {stores.baked.get(), stores.placed.get()}) {
+      for (std::uint32_t i = 0; i < store->size(); ++i) {
+        visit(state_->leaves[store->tags[i].leaf], store->surface_bounds(i));
+      }
+    }
+  }
+  for (const Body& body : state_->world().bodies) {
+    if (body.kind != Body::Kind::solid) continue;
+    const Solid& solid = state_->parts.solids[body.index];
+    for (const SolidLeaf& leaf : solid.leaves) {
+      if (leaf.muted) continue;
+      const Bounds3 own = leaf.store->surface_bounds(leaf.shape);
+      visit(state_->leaves[leaf.store->tags[leaf.shape].leaf], own.intersection(solid.surface));
+    }
+  }
+}
+
 void Geometry::set_opaque(std::vector<bool> by_surface) { state_->set_opaque(by_surface); }
 bool Geometry::has_translucent_shadows() const { return state_->translucent_shadows; }
 

@@ -5,12 +5,14 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "base/bounds.h"
 #include "base/diagnostic.h"
 #include "base/ray.h"
 #include "scene/scene.h"
@@ -135,6 +137,10 @@ class Geometry {
   [[nodiscard]] std::span<const Projection> projections() const;
   /// Objects that photons are sent to by lamps in no light group; none if photons are off.
   [[nodiscard]] std::span<const PhotonTarget> photon_targets() const;
+
+  /// Tells of every part of the surfaces that stand in the world itself, not in shared contents, and
+  /// the box around it.
+  void for_surfaces(const std::function<void(const Leaf&, const Bounds3&)>& visit) const;
 
   /// What came to light about primitives while rays asked them: see Store::doubt. Each message once
   /// per object of the scene.

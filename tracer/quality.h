@@ -29,6 +29,7 @@ struct Quality {
   bool radiosity;
   bool photons;
   bool subsurface;
+  bool path = false;  // light is followed along random paths: see Integrator
 };
 
 }  // namespace durer::tracer

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,12 @@
 #include "tracer/compile.h"
 
 namespace durer::tracer {
+
+/// How far random paths go, and how they look for light.
+struct PathRules {
+  int max_bounces = 64;    // 0: only what glows; straight ways through surfaces do not count
+  bool next_event = true;  // look for surfaces that glow; without, they are only met by chance
+};
 
 struct RenderOptions {
   int width = 160;
@@ -26,6 +33,9 @@ struct RenderOptions {
   bool alpha = false;
   int block_size = 32;  // pixels; anti-aliasing looks at blocks (shading §3.2)
   int threads = 0;      // 0: all
+  // Of scenes that are compiled for random paths; these have no other anti-aliasing.
+  int samples = 64;  // paths per pixel; others ignore it
+  PathRules paths;
   // Part of the picture to render: 0-based, end exclusive; -1: to the edge.
   int first_column = 0;
   int end_column = -1;
@@ -53,10 +63,13 @@ struct Checkpoint {
   explicit Checkpoint(const RenderOptions& options);
 
   image::Image image;                   // pixels of blocks that are not done are undefined
-  std::vector<std::atomic<bool>> done;  // by block, in the order of `render`
+  /// Passes that are done, by block, in the order of `render`: there is one, or several when light
+  /// is followed along random paths; each makes the picture less noisy.
+  std::vector<std::atomic<std::uint8_t>> done;
+  mutable std::mutex writing;  // held while a block that was done once is done again
 
   struct State {
-    std::vector<std::uint8_t> done;  // 0 or 1
+    std::vector<std::uint8_t> done;  // passes
     image::Image image;              // pixels of other blocks are 0
   };
   /// What is done by now.
@@ -67,6 +80,9 @@ struct Checkpoint {
  private:
   RenderOptions options_;
 };
+
+/// How many samples of random paths every pixel has at least, when `state` is what is done.
+[[nodiscard]] int fewest_samples(const RenderOptions& options, const Checkpoint::State& state);
 
 /// Renders on all cores; the picture is bit-equal for any thread count. `on_progress` is called now
 /// and then from one thread at a time; `cancel` stops the render early when it becomes true. Blocks

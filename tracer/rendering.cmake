@@ -13,8 +13,13 @@ durer_library(tracer
     shading/texture.cpp shading/translucent.cpp
     cameras/camera.cpp ${camera_sources}
     lights/area.cpp lights/light.cpp
-    transport/atmosphere.cpp transport/caustics.cpp transport/irradiance_cache.cpp transport/light.cpp transport/media.cpp transport/media_lights.cpp transport/photon_file.cpp transport/photon_gathering.cpp transport/photon_map.cpp transport/photon_plan.cpp transport/photon_shooting.cpp transport/photon_tracer.cpp transport/radiosity.cpp transport/shadow.cpp transport/subsurface.cpp transport/surface.cpp transport/texture_parts.cpp transport/trace.cpp
-    film/antialias.cpp film/jitter.cpp film/eye.cpp film/lens.cpp film/lens_points.cpp film/pretrace.cpp film/progress.cpp film/render.cpp
+    transport/atmosphere.cpp transport/caustics.cpp transport/emitters.cpp transport/irradiance_cache.cpp transport/light.cpp
+    transport/media.cpp transport/media_lights.cpp transport/path_lights.cpp transport/path_media.cpp transport/path_surface.cpp
+    transport/path_tracer.cpp transport/photon_file.cpp transport/photon_gathering.cpp transport/photon_map.cpp
+    transport/photon_plan.cpp transport/photon_shooting.cpp transport/photon_tracer.cpp transport/radiosity.cpp transport/shadow.cpp
+    transport/subsurface.cpp transport/surface.cpp transport/texture_parts.cpp transport/trace.cpp
+    film/antialias.cpp film/jitter.cpp film/eye.cpp film/lens.cpp film/lens_points.cpp film/pretrace.cpp film/progress.cpp
+    film/progressive.cpp film/render.cpp
   LINKS durer::geometry durer::scene durer::functions
   PRIVATE_LINKS TBB::tbb fmt::fmt)
 if(TARGET durer::image)

@@ -72,6 +72,15 @@ void UnsupportedReport::check_sky_pigment(const scene::Pigment& pigment) {
 
 void UnsupportedReport::check_finish(const scene::Finish& finish, scene::OriginId origin) {
   report(finish.unsupported, origin);
+  const bool reflects =
+      finish.reflection_min != vec3(0.0F) || finish.reflection_max != vec3(0.0F);
+  // The mean of powers is not the power of the mean.
+  if (paths_ && reflects && finish.reflection_exponent != 1) {
+    report("`reflection_exponent` in path tracing", origin);
+  }
+  if (paths_ && scene_->settings.subsurface && finish.translucency != vec3(0.0F)) {
+    report("`subsurface` in path tracing", origin);
+  }
 }
 
 void UnsupportedReport::report(std::string_view feature, scene::OriginId origin) {

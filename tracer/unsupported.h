@@ -9,8 +9,9 @@ namespace durer::tracer {
 /// calls and includes that led there.
 class UnsupportedReport {
  public:
-  UnsupportedReport(const scene::Scene& scene, Diagnostics& diagnostics)
-      : scene_(&scene), diagnostics_(&diagnostics) {}
+  /// `paths`: what random paths cannot render is reported too.
+  UnsupportedReport(const scene::Scene& scene, Diagnostics& diagnostics, bool paths = false)
+      : scene_(&scene), diagnostics_(&diagnostics), paths_(paths) {}
 
   /// Everything reachable from a texture or interior that is in use.
   void check_texture(scene::TextureId texture, std::uint32_t depth = 0);
@@ -27,6 +28,7 @@ class UnsupportedReport {
 
   const scene::Scene* scene_;
   Diagnostics* diagnostics_;
+  bool paths_;
   std::vector<bool> textures_seen_;
   std::vector<bool> interiors_seen_;
   std::vector<std::pair<std::string, scene::OriginId>> reported_;

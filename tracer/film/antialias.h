@@ -22,6 +22,9 @@ struct Block {
   int right = 0;
   int bottom = 0;
 };
+[[nodiscard]] inline std::uint64_t pixels_of(const Block& b) {
+  return static_cast<std::uint64_t>(b.right - b.left) * static_cast<unsigned>(b.bottom - b.top);
+}
 
 struct AntialiasOptions {
   float threshold = 0.3F;

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "tracer/sobol.h"
+
 namespace durer::tracer {
 namespace {
 
@@ -14,9 +16,7 @@ std::uint32_t seed(double x, double y, std::uint32_t index) {
     return static_cast<std::uint32_t>(static_cast<std::int64_t>(v < 0 ? v - 0.5 : v + 0.5));
   };
   std::uint32_t h = whole(x) * 0x8DA6B343U ^ whole(y) * 0xD8163841U ^ index * 0xCB1AB31FU;
-  h = (h ^ (h >> 16)) * 0x7FEB352DU;
-  h = (h ^ (h >> 15)) * 0x846CA68BU;
-  return h ^ (h >> 16);
+  return mixed(h);
 }
 
 }  // namespace
@@ -33,6 +33,14 @@ Viewpoint::Viewpoint(const CompiledScene& s, const RenderOptions& o)
   }
 }
 
+Eye::Eye(const Viewpoint& view)
+    : view_(&view),
+      scratch_(*view.scene),
+      tracer_(*view.scene, scratch_, view.options->alpha),
+      paths_(*view.scene, scratch_, view.options->alpha, view.options->paths) {
+  scratch_.photons = view.photons;
+}
+
 void Eye::begin(const IrradianceCache* cache, std::uint32_t seed) {
   const std::optional<RadiosityProgram>& r = view_->scene->radiosity;
   if (!r) return;
@@ -41,7 +49,18 @@ void Eye::begin(const IrradianceCache* cache, std::uint32_t seed) {
 
 Pixel Eye::see(double x, double y, std::uint32_t index) {
   if (!view_->lens.blurs()) return plain(x, y, index);
-  return view_->lens.blur([&](int n) { return through_lens(x, y, index, n); });
+  return view_->lens.blur(
+      [&](int n) { return through_lens(view_->lens.moved(x, y, n), {x, y}, index, n); });
+}
+
+Pixel Eye::sample(int x, int y, std::uint32_t index) {
+  const auto column = static_cast<std::uint32_t>(x);
+  const auto row = static_cast<std::uint32_t>(y);
+  random_ = SobolSampler(mixed(column) + 0x9E3779B9U * row, index);
+  const dvec2 at = dvec2(x, y) + random_.next2() - 0.5;
+  if (!view_->lens.blurs()) return plain(at.x, at.y, index);
+  const int part = static_cast<int>(random_.next() * view_->lens.points());
+  return through_lens(at, at, index, part);
 }
 
 bool Eye::camera_ray(double x, double y, int turn, CameraRay& out) {
@@ -68,9 +87,8 @@ Pixel Eye::plain(double x, double y, std::uint32_t index) {
 }
 
 // Rays through all parts of the lens meet again at the focal distance (shading §2.7).
-Pixel Eye::through_lens(double x, double y, std::uint32_t index, int sample) {
+Pixel Eye::through_lens(dvec2 at, dvec2 pixel, std::uint32_t index, int sample) {
   const scene::Camera& c = *view_->camera.in;
-  const dvec2 at = view_->lens.moved(x, y, sample);
   CameraRay ray;
   if (!camera_ray(at.x, at.y, 0, ray)) return nothing;
   const dvec2 part = view_->lens.on_lens(at, sample);
@@ -79,7 +97,7 @@ Pixel Eye::through_lens(double x, double y, std::uint32_t index, int sample) {
   const dvec3 shift = part.x * across - part.y * upwards;
   ray.ray.o = c.location + shift;
   ray.ray.d = c.lens->focal_distance / glm::length(c.direction) * ray.ray.d - shift;
-  return look_along(ray, x, y, index * 4099 + static_cast<std::uint32_t>(sample));
+  return look_along(ray, pixel.x, pixel.y, index * 4099 + static_cast<std::uint32_t>(sample));
 }
 
 Pixel Eye::look_along(const CameraRay& ray, double x, double y, std::uint32_t index) {
@@ -92,7 +110,8 @@ Pixel Eye::look_along(const CameraRay& ray, double x, double y, std::uint32_t in
   }
   path.reach = view_->reach;
   path.inside = view_->one_origin ? view_->scene->around_camera : around(path.ray.o);
-  const Radiance r = tracer_.trace(path);
+  const Radiance r =
+      view_->scene->quality.path ? paths_.trace(path, random_) : tracer_.trace(path);
   return {r.colour, r.transmittance};
 }
 

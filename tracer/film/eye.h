@@ -5,7 +5,7 @@
 #include "tracer/film/lens.h"
 #include "tracer/render.h"
 #include "tracer/shading/normal.h"
-#include "tracer/transport/trace.h"
+#include "tracer/transport/path_tracer.h"
 
 namespace durer::tracer {
 
@@ -28,14 +28,14 @@ struct Viewpoint {
 /// Looks, on behalf of one thread.
 class Eye {
  public:
-  explicit Eye(const Viewpoint& view)
-      : view_(&view), scratch_(*view.scene), tracer_(*view.scene, scratch_, view.options->alpha) {
-    scratch_.photons = view.photons;
-  }
+  explicit Eye(const Viewpoint& view);
 
   /// The picture at (x, y), in pixels: whole numbers are centres. `index` tells the samples of a
   /// pixel apart.
   [[nodiscard]] Pixel see(double x, double y, std::uint32_t index);
+
+  /// One random path from somewhere in the pixel, and through somewhere of the lens.
+  [[nodiscard]] Pixel sample(int x, int y, std::uint32_t index);
 
   /// Before a block of the final picture: what is known of indirect light. `seed` is its own.
   void begin(const IrradianceCache* cache, std::uint32_t seed);
@@ -48,13 +48,15 @@ class Eye {
  private:
   [[nodiscard]] bool camera_ray(double x, double y, int turn, CameraRay& out);
   Pixel plain(double x, double y, std::uint32_t index);
-  [[nodiscard]] Pixel through_lens(double x, double y, std::uint32_t index, int sample);
+  [[nodiscard]] Pixel through_lens(dvec2 at, dvec2 pixel, std::uint32_t index, int sample);
   [[nodiscard]] Pixel look_along(const CameraRay& ray, double x, double y, std::uint32_t index);
   [[nodiscard]] Containment around(dvec3 p);
 
   const Viewpoint* view_;
   Scratch scratch_;
   Tracer tracer_;
+  PathTracer paths_;
+  SobolSampler random_;
   functions::Workspace workspace_;
 };
 

@@ -17,6 +17,9 @@ class LensSampling {
   /// False: a pinhole.
   [[nodiscard]] bool blurs() const { return !points_.empty(); }
 
+  /// Samples that `moved` and `on_lens` tell apart.
+  [[nodiscard]] int points() const { return static_cast<int>(points_.size()); }
+
   /// Where a sample of the picture at (x, y), in pixels, is looked at instead …
   [[nodiscard]] dvec2 moved(double x, double y, int sample) const;
   /// … and through which part of the lens, from its centre, in world units. `at`: what `moved` said.

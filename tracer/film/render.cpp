@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <atomic>
+#include <optional>
 #include <thread>
 
 #include "tracer/film/adaptive.h"
 #include "tracer/film/eye.h"
 #include "tracer/film/pretrace.h"
 #include "tracer/film/progress.h"
+#include "tracer/film/progressive.h"
 #include "tracer/film/threads.h"
 #include "tracer/transport/photon_shooting.h"
 
@@ -25,10 +27,6 @@ Block part_of(const RenderOptions& o) {
 int block_size_of(const RenderOptions& o) {
   constexpr int small_block = 16;
   return std::max(1, o.antialias ? o.block_size : std::min(o.block_size, small_block));
-}
-
-std::uint64_t pixels_of(const Block& b) {
-  return static_cast<std::uint64_t>(b.right - b.left) * static_cast<unsigned>(b.bottom - b.top);
 }
 
 std::vector<Block> blocks_of(const RenderOptions& options) {
@@ -112,23 +110,38 @@ IrradianceCache gather_light(const Viewpoint& view, int threads, ProgressMeter& 
 
 // Threads take the next block in row-major order until none is left, past those already done.
 void render_blocks(const Viewpoint& view, const std::vector<Block>& blocks, int threads,
-                   ProgressMeter& meter, image::Image& image,
-                   std::vector<std::atomic<bool>>* done) {
+                   ProgressMeter& meter, Checkpoint& film) {
   const IrradianceCache cache = gather_light(view, threads, meter);
   std::atomic<std::size_t> next{0};
   const auto work = [&](int) {
-    BlockRenderer renderer(view, image);
+    BlockRenderer renderer(view, film.image);
     std::uint64_t counted = 0;
     for (std::size_t i = next++; i < blocks.size() && !meter.cancelled(); i = next++) {
-      if (done && (*done)[i]) continue;
+      if (film.done[i] > 0) continue;
       renderer.begin(cache, static_cast<std::uint32_t>(i));
       renderer.render(blocks[i]);
-      if (done) (*done)[i].store(true, std::memory_order_release);
+      film.done[i].store(1, std::memory_order_release);
       meter.add(pixels_of(blocks[i]), renderer.rays() - counted);
       counted = renderer.rays();
     }
   };
   on_threads(threads, work);
+}
+
+// Pixels still to be made; where these are means of samples, samples.
+std::uint64_t work_left(const CompiledScene& scene, const RenderOptions& options,
+                        const std::vector<Block>& blocks, const Checkpoint& film) {
+  std::vector<int> samples{0, 1};  // after so many passes
+  if (scene.quality.path) {
+    samples = pass_ends(options.samples);
+    samples.insert(samples.begin(), 0);
+  }
+  std::uint64_t left = 0;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const std::size_t passes = std::min<std::size_t>(film.done[i], samples.size() - 1);
+    left += pixels_of(blocks[i]) * static_cast<unsigned>(samples.back() - samples[passes]);
+  }
+  return left;
 }
 
 }  // namespace
@@ -139,9 +152,10 @@ Checkpoint::Checkpoint(const RenderOptions& options)
 Checkpoint::State Checkpoint::copy() const {
   State state{std::vector<std::uint8_t>(done.size()), image::Image(image.width, image.height)};
   const std::vector<Block> blocks = blocks_of(options_);
+  const std::lock_guard lock(writing);
   for (std::size_t i = 0; i < blocks.size(); ++i) {
-    if (!done[i].load(std::memory_order_acquire)) continue;
-    state.done[i] = 1;
+    state.done[i] = done[i].load(std::memory_order_acquire);
+    if (state.done[i] == 0) continue;
     const Block& b = blocks[i];
     for (int y = b.top; y < b.bottom; ++y) {
       const float* row = image.at(b.left, y).data();
@@ -157,7 +171,7 @@ bool Checkpoint::restore(State state) {
                     state.image.pixels.size() == image.pixels.size();
   if (!fits) return false;
   image = std::move(state.image);
-  for (std::size_t i = 0; i < done.size(); ++i) done[i] = state.done[i] != 0;
+  for (std::size_t i = 0; i < done.size(); ++i) done[i] = state.done[i];
   return true;
 }
 
@@ -168,22 +182,21 @@ RenderResult render(const CompiledScene& scene, const RenderOptions& options,
   const int hardware = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const int threads = options.threads > 0 ? options.threads : hardware;
 
+  std::optional<Checkpoint> own;
+  Checkpoint& film = checkpoint ? *checkpoint : own.emplace(options);
+  ProgressMeter meter(work_left(scene, options, blocks, film), on_progress, cancel);
   RenderResult result;
-  if (!checkpoint) result.image = image::Image(options.width, options.height);
-  image::Image& image = checkpoint ? checkpoint->image : result.image;
-  auto* done = checkpoint ? &checkpoint->done : nullptr;
-  std::uint64_t pixels = 0;
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    if (!done || !(*done)[i]) pixels += pixels_of(blocks[i]);
-  }
-  ProgressMeter meter(pixels, on_progress, cancel);
-  const PhotonMaps photons = shoot_photons(scene, threads, meter, result.warning);
   Viewpoint view(scene, options);
-  view.photons = &photons;
-  render_blocks(view, blocks, threads, meter, image, done);
+  if (scene.quality.path) {
+    render_passes(view, blocks, threads, meter, film);
+  } else {
+    const PhotonMaps photons = shoot_photons(scene, threads, meter, result.warning);
+    view.photons = &photons;
+    render_blocks(view, blocks, threads, meter, film);
+  }
   result.final = meter.now();
   result.cancelled = meter.cancelled();
-  if (checkpoint && !result.cancelled) result.image = std::move(checkpoint->image);
+  if (own || !result.cancelled) result.image = std::move(film.image);
   return result;
 }
 

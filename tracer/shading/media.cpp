@@ -118,4 +118,36 @@ double phase_factor(const MediaProgram& media, double cosine) {
   return 1;
 }
 
+double mean_phase_factor(const MediaProgram& media) {
+  // The mean of ((1 + cosine) / 2)^n over all directions is 1 / (n + 1), that of the cosine's
+  // square 1/3.
+  switch (media.phase) {
+    case scene::Phase::mie_hazy: return 0.576655375 * (1 + 9.0 / 9);
+    case scene::Phase::mie_murky: return 0.495714547 * (1 + 50.0 / 33);
+    case scene::Phase::rayleigh: return 0.799372013 * (1 + 1.0 / 3);
+    default: return 1;
+  }
+}
+
+double phase_cosine(const MediaProgram& media, dvec2 u) {
+  const double even = 2 * u.y - 1;
+  // Sums of powers: one of them is chosen by its share of the mean.
+  const auto forward = [&](double share, double power) {
+    return u.x < share ? 2 * std::pow(u.y, 1 / (power + 1)) - 1 : even;
+  };
+  switch (media.phase) {
+    case scene::Phase::isotropic: return even;
+    case scene::Phase::mie_hazy: return forward(0.5, 8);
+    case scene::Phase::mie_murky: return forward(50.0 / 83, 32);
+    case scene::Phase::rayleigh: return u.x < 0.25 ? std::cbrt(even) : even;
+    case scene::Phase::henyey_greenstein: {
+      const double g = media.eccentricity;
+      if (std::abs(g) < 1e-3) return even;
+      const double x = (1 - g * g) / (1 + g * even);
+      return std::clamp((1 + g * g - x * x) / (2 * g), -1.0, 1.0);
+    }
+  }
+  return even;
+}
+
 }  // namespace durer::tracer

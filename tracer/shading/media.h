@@ -70,5 +70,9 @@ class MediaStore {
 /// How much of the light that arrives from a lamp is scattered along a ray, relative to scattering
 /// in all directions alike. `cosine`: of the angle between ray and the way to the lamp, -1…1.
 [[nodiscard]] double phase_factor(const MediaProgram& media, double cosine);
+/// The mean of that over all directions: near 1.
+[[nodiscard]] double mean_phase_factor(const MediaProgram& media);
+/// A random cosine, as dense in directions as `phase_factor` is large. `u`: random, 0…1.
+[[nodiscard]] double phase_cosine(const MediaProgram& media, dvec2 u);
 
 }  // namespace durer::tracer

@@ -89,8 +89,8 @@ std::uint32_t TextureStore::finishes_of(scene::TextureId id) {
   if (is_new) {
     const scene::Settings& settings = scene_->settings;
     // Light that is gathered takes the place of light that is assumed (participating §2.2).
-    const bool gathered =
-        settings.radiosity && quality_.radiosity && settings.effective_version >= 370;
+    const bool gathered = ((settings.radiosity && quality_.radiosity) || quality_.path) &&
+                          settings.effective_version >= 370;
     const vec3 ambient = gathered ? vec3(0.0F) : settings.ambient_light;
     for (const scene::Layer& layer : scene_->textures[id].layers) {
       finishes_.push_back(

@@ -73,7 +73,8 @@ vec3 Tracer::shade_by_area(const View& view, const LayerPoint& layer, const Ligh
   return sum;
 }
 
-vec3 Tracer::shade(const View& view, const LayerPoint& layer, const Beam& beam, bool backside) {
+vec3 Tracer::shade(const View& view, const LayerPoint& layer, const Beam& beam, bool backside,
+                   bool grain) const {
   const Finish& f = *layer.finish;
   const dvec3 l = beam.l;
   const double cosine = glm::dot(layer.n, l);
@@ -83,7 +84,7 @@ vec3 Tracer::shade(const View& view, const LayerPoint& layer, const Beam& beam, 
     const double c = std::abs(cosine);
     const double bright = f.brilliance == 1 ? c : std::pow(c, f.brilliance);
     float intensity = static_cast<float>(bright) * k * layer.opacity;
-    if (f.crand > 0) intensity -= random_unit(scratch_->noise) * f.crand;
+    if (grain && f.crand > 0) intensity -= random_unit(scratch_->noise) * f.crand;
     sum = intensity * layer.pigment * beam.light;
   }
   if (f.highlights && !view.gathering && !backside && beam.highlights) {

@@ -6,14 +6,12 @@
 #include <glm/geometric.hpp>
 
 #include "tracer/shading/spectrum.h"
-#include "tracer/transport/trace.h"
+#include "tracer/transport/layers.h"
 
 namespace durer::tracer {
 namespace {
 
 float greatest_size(vec3 c) { return std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)}); }
-
-bool is_one(double x) { return std::abs(x - 1) < epsilon; }
 
 }  // namespace
 
@@ -80,26 +78,16 @@ Finish Tracer::without_diffuse(const Finish& finish) const {
 }
 
 Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
-  const TextureStore& textures = scene_->textures;
-  LayerSum sum;
-  SurfaceView seen{view.p, view.d, view.g, view.uv};
-  const std::uint32_t first = view.texture->first_layer;
   const bool gathers =
       scene_->radiosity && path.bounce < scene_->radiosity->bounces.size();
   Indirect around;
   const bool photons = view.collects && has_caustics();
   bool first_lit = true;  // layers may ignore the lights that others need
-  for (std::uint32_t i = first; i < view.texture->end_layer && sum.sigma > limits(path).adc; ++i) {
-    const LayerProgram& program = textures.layer(i);
-    const dvec3 n = program.normal == scene::none ? view.g : bend(view, program, seen);
-    if (i == first) sum.top = n;
-    const Colour c = textures.pigments().at(program.pigment, view.q, &seen);
+  return walk_layers(view, limits(path).adc, [&](const LayerPoint& whole, LayerSum& sum) {
     if (!quality_.lights) {
-      sum.colour = c.rgb;
-      sum.sigma = std::min(sum.sigma, std::abs(grey(sum.through *= c.transmission())));
-      continue;
+      sum.colour = whole.pigment;
+      return vec3(0.0F);
     }
-    const LayerPoint whole{&textures.finish(program), n, c.rgb, opacity(c)};
     LayerPoint layer = whole;
     vec3 from_below(0.0F);
     Finish above;  // what is left of the finish where light goes below
@@ -112,11 +100,11 @@ Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
     const Finish& f = *layer.finish;
     vec3 rho(0.0F);
     if (f.reflects) rho = remember_reflection(view, path, whole, sum.sigma);
-    vec3 light = c.rgb * f.glow_pigment * layer.opacity + from_below;
+    vec3 light = layer.pigment * f.glow_pigment * layer.opacity + from_below;
     if (f.lit) {
       light += illuminate(view, path, layer, first_lit);
       if (photons) {
-        if (first_lit) find_photons(view, n);
+        if (first_lit) find_photons(view, layer.n);
         light += caustics(view, layer);
       }
       first_lit = false;
@@ -126,11 +114,8 @@ Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
       first_lit = true;  // gathering lights other surfaces
     }
     sum.colour += light * sum.through;
-    sum.through *= c.transmission();
-    if (f.conserve_energy) sum.through *= glm::min(vec3(1.0F), 1.0F - rho);
-    sum.sigma = std::min(1.0F, std::abs(grey(sum.through)));
-  }
-  return sum;
+    return rho;
+  });
 }
 
 // The normal of a layer. Afterwards `seen` has it as patterns of the layer see it, which is inside
@@ -155,14 +140,19 @@ dvec3 Tracer::bend(const View& view, const LayerProgram& layer, SurfaceView& see
   return back_to_world(n);
 }
 
-vec3 Tracer::remember_reflection(const View& view, const Path& path, const LayerPoint& layer,
-                                 float sigma) {
+Reflectivity Tracer::reflectivity_of(const View& view, const Containment& inside,
+                                     const LayerPoint& layer) const {
   const Finish& f = *layer.finish;
   const double cosi = -glm::dot(view.d, layer.n);
-  const double n = f.fresnel ? fresnel_index(scene_->interiors, view.interior, path.inside) : 1;
-  const Reflectivity r = reflectivity(f, cosi, n, layer.pigment);
+  const double n = f.fresnel ? fresnel_index(scene_->interiors, view.interior, inside) : 1;
+  return reflectivity(f, cosi, n, layer.pigment);
+}
+
+vec3 Tracer::remember_reflection(const View& view, const Path& path, const LayerPoint& layer,
+                                 float sigma) {
+  const Reflectivity r = reflectivity_of(view, path.inside, layer);
   if (quality_.reflection && r.rho != vec3(0.0F)) {
-    scratch_->reflections.push_back({&f, layer.n, r.rho, path.weight * sigma * r.weight});
+    scratch_->reflections.push_back({layer.finish, layer.n, r.rho, path.weight * sigma * r.weight});
   }
   return r.rho;
 }

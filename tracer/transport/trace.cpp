@@ -42,14 +42,10 @@ Radiance Tracer::follow(Path path, bool straight) {
   for (;;) {
     const Limits& limit = limits(path);
     if (path.level >= limit.max_level || path.weight < limit.adc) return {sum, 0};
-    const RayKind kind = path.bounce > 0    ? RayKind::gathering
-                         : path.reflected   ? RayKind::reflection
-                         : path.transmitted ? RayKind::transmission
-                                            : RayKind::image;
     Hit hit;
     ++scratch_->rays;
     const bool met =
-        scene_->geometry.closest(path.ray, t_min, path.reach, kind, hit, *scratch_->geometry);
+        scene_->geometry.closest(path.ray, t_min, path.reach, path.kind(), hit, *scratch_->geometry);
     if (in_air_ && (path.bounce == 0 || gathers_air_) && in_the_open(path.inside)) {
       const double depth = met ? hit.t : no_hit_depth;
       const Veil air = veil(path, depth, met ? &hit : nullptr);

@@ -34,6 +34,13 @@ struct Path {
   std::uint32_t bounce = 0;   // of indirect light; above 0: the ray gathers some
   FirstHit* first = nullptr;  // who wants to know of the next surface, if somebody does
   bool transmitted = false;  // it came through a surface
+
+  [[nodiscard]] RayKind kind() const {
+    return bounce > 0    ? RayKind::gathering
+           : reflected   ? RayKind::reflection
+           : transmitted ? RayKind::transmission
+                         : RayKind::image;
+  }
 };
 
 /// Premultiplied colour, and the share of what lies behind that shines through.
@@ -117,6 +124,7 @@ class Tracer {
 
  private:
   friend class MediaIntegrator;
+  friend class PathTracer;
   friend class PhotonTracer;
   // A surface that is being looked at.
   struct View {
@@ -203,6 +211,8 @@ class Tracer {
   [[nodiscard]] Step surface(const View& view, Path& path);
   [[nodiscard]] Finish without_diffuse(const Finish& finish) const;
   [[nodiscard]] LayerSum sum_layers(const View& view, const Path& path);
+  template <typename Visit>
+  [[nodiscard]] LayerSum walk_layers(const View& view, float least, const Visit& visit) const;
   [[nodiscard]] float opacity(const Colour& c) const;
   // Indirect light.
   struct Gathered {
@@ -221,6 +231,8 @@ class Tracer {
   [[nodiscard]] vec3 indirect(const View& view, dvec3 layer_normal, float weight,
                               std::uint32_t depth);
   [[nodiscard]] Gathered gather(dvec3 p, dvec3 raw, dvec3 n, std::uint32_t depth);
+  [[nodiscard]] Reflectivity reflectivity_of(const View& view, const Containment& inside,
+                                             const LayerPoint& layer) const;
   [[nodiscard]] static bool same_direction(dvec3 a, dvec3 b);
   vec3 remember_reflection(const View& view, const Path& path, const LayerPoint& layer,
                            float sigma);
@@ -263,8 +275,9 @@ class Tracer {
     vec3 light{0.0F};
     bool highlights = true;
   };
+  /// `grain`: with `crand`.
   [[nodiscard]] vec3 shade(const View& view, const LayerPoint& layer, const Beam& beam,
-                           bool backside);
+                           bool backside, bool grain = true) const;
   // caustics.cpp
   void find_photons(const View& view, dvec3 n);
   [[nodiscard]] vec3 caustics(const View& view, const LayerPoint& layer);

@@ -19,7 +19,7 @@ std::string sample(const Option& o) {
   static const std::map<std::string_view, std::string> special = {
       {"Output_File_Type", "N"}, {"Size", "8x6"},  {"Declare", "A=1"},    {"Bits_Per_Color", "8"},
       {"Version", "3.7"},        {"Quality", "9"}, {"File_Gamma", "1.8"}, {"Diagnostics", "json"},
-      {"Dither_Method", "B4"},
+      {"Dither_Method", "B4"},    {"Integrator", "path"},
   };
   if (o.keyword.ends_with("_Return")) return "S";
   if (const auto found = special.find(o.keyword); found != special.end()) return found->second;
@@ -252,6 +252,18 @@ TEST_CASE("options: values out of range move to its end, as in POV-Ray", "[cli][
   CHECK(s.block_size == 4);
   CHECK(accepted({"+R99"}).aa_depth == 9);
   CHECK(accepted({"+FN17"}).bits == 16);
+}
+
+TEST_CASE("options: random paths want all of the scene", "[cli][options]") {
+  const Settings s = accepted({"Integrator=path", "--samples=100", "Path_Bounces=0"});
+  CHECK(s.paths);
+  CHECK(s.path_samples == 100);
+  CHECK(s.path_bounces == 0);
+  CHECK_FALSE(check(s));
+  CHECK_FALSE(accepted({"Integrator=path", "--integrator", "trace"}).paths);
+  CHECK(check(accepted({"Integrator=path", "+Q8"})).has_value());
+  CHECK(refused({"Integrator=paths"}).find("trace or path") != std::string::npos);
+  refused({"--samples=0"});
 }
 
 TEST_CASE("options: sizes must be positive", "[cli][options]") {

@@ -68,6 +68,22 @@ TEST_CASE("program: a picture taken up again is the same to the last bit",
   CHECK((read_file("a.png") == read_file("whole.png")));
 }
 
+TEST_CASE("program: a stopped picture of random paths is a noisy one", "[cli][program][continue]") {
+  const test::Folder folder;
+  folder.file("a.pov", scene);
+  const std::vector<std::string> words = {"a.pov", "Size=64x48", "Integrator=path", "--samples=3000"};
+  REQUIRE(interrupted_run(words, std::chrono::milliseconds(300)) == 2);
+  CHECK(fs::exists("a.png.state"));
+  CHECK(fs::exists("a.png"));
+  CHECK(has(read_file("err").value_or(""), "of 3000 samples per pixel; `+C` takes up"));
+  const std::string line = "a.pov Size=64x48 Integrator=path --samples=3000";
+  CHECK(run("a.pov Size=64x48 +C").code == 1);  // belongs to other options
+  CHECK(run(line + " +C").code == 0);
+  CHECK_FALSE(fs::exists("a.png.state"));
+  REQUIRE(run(line + " +Owhole.png").code == 0);
+  CHECK((read_file("a.png") == read_file("whole.png")));
+}
+
 TEST_CASE("program: a state of other options or another scene is refused",
           "[cli][program][continue]") {
   const test::Folder folder;

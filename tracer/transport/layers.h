@@ -1,0 +1,42 @@
+// The layers of a surface, from the outside in.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "tracer/transport/trace.h"
+
+namespace durer::tracer {
+
+[[nodiscard]] inline bool is_one(double x) { return std::abs(x - 1) < epsilon; }
+
+[[nodiscard]] inline bool nearly_equal(dvec3 a, dvec3 b) {
+  const dvec3 e = glm::abs(a - b);
+  return e.x < epsilon && e.y < epsilon && e.z < epsilon;
+}
+
+/// Calls `visit(layer, sum)` for each layer while those before it let more than `least` through;
+/// `sum` is what they have come to. The visitor may add to its colour, and returns what the layer
+/// reflects, by colour.
+template <typename Visit>
+Tracer::LayerSum Tracer::walk_layers(const View& view, float least, const Visit& visit) const {
+  const TextureStore& textures = scene_->textures;
+  LayerSum sum;
+  SurfaceView seen{view.p, view.d, view.g, view.uv};
+  const std::uint32_t first = view.texture->first_layer;
+  for (std::uint32_t i = first; i < view.texture->end_layer && sum.sigma > least; ++i) {
+    const LayerProgram& program = textures.layer(i);
+    const dvec3 n = program.normal == scene::none ? view.g : bend(view, program, seen);
+    if (i == first) sum.top = n;
+    const Colour c = textures.pigments().at(program.pigment, view.q, &seen);
+    const LayerPoint layer{&textures.finish(program), n, c.rgb, opacity(c)};
+    const vec3 rho = visit(layer, sum);
+    sum.through *= c.transmission();
+    if (layer.finish->conserve_energy) sum.through *= glm::min(vec3(1.0F), 1.0F - rho);
+    sum.sigma = std::min(1.0F, std::abs(grey(sum.through)));
+  }
+  return sum;
+}
+
+}  // namespace durer::tracer
