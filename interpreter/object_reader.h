@@ -13,8 +13,8 @@ class MeshBuilder;
 struct MeshFile;
 struct MeshMaterial;
 
-/// How a component of a blob is moved. What leaves a ball a ball changes its centre and radius; from the
-/// first step on that may not, there is a matrix. Only boxes tell the difference.
+/// How a component of a blob is moved. What leaves a ball a ball changes its centre and radius; from
+/// the first step on that may not, there is a matrix. Only boxes tell the difference.
 struct BlobMove {
   bool stays_ball = false;
   Transform kept;     // while it is a ball

@@ -13,8 +13,8 @@
 namespace durer::tracer {
 namespace {
 
-/// What a photon's weight is multiplied by once more where it is reflected or let through: its limit
-/// is on the square of what a camera ray would have left, as stored photons of the oracle show.
+/// What a photon's weight is multiplied by once more where it is reflected or let through: its
+/// limit is on the square of what a camera ray would have left, as the oracle's stored photons show.
 float strongest(vec3 share) { return std::max({share.r, share.g, share.b}); }
 
 }  // namespace
