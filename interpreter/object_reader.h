@@ -13,6 +13,17 @@ class MeshBuilder;
 struct MeshFile;
 struct MeshMaterial;
 
+/// How a component of a blob is moved. What leaves a ball a ball changes its centre and radius; from
+/// the first step on that may not, there is a matrix. Only boxes tell the difference.
+struct BlobMove {
+  bool stays_ball = false;
+  Transform kept;     // while it is a ball
+  double growth = 1;  // of its radius
+  Transform rest;
+
+  void then(const Token& word, const Transform& step);
+};
+
 class ObjectReader {
  public:
   /// Reads into `object`, whose word is `word`.
@@ -50,7 +61,7 @@ class ObjectReader {
   bool julia_function();
   void read_power();
   void blob_component(bool rod);
-  void blob_modifiers(Transform& moved, scene::TextureUse& texture);
+  void blob_modifiers(BlobMove& move, scene::TextureUse& texture);
 
   Interpreter& in_;
   scene::Object& object_;

@@ -48,6 +48,23 @@ struct Appender {
   }
 };
 
+/// The oracle's boxes are cubes: around a ball, around both ends of a rod, and one around what is
+/// between them; their edges are those that the widest side of a turned cube has.
+Bounds3 seen_of(const BlobComponent& c, const Affine& to_blob) {
+  const dvec3 widest = dvec3(glm::abs(to_blob.x)) + glm::abs(to_blob.y) + glm::abs(to_blob.z);
+  const double widening = std::max({widest.x, widest.y, widest.z});
+  Bounds3 all;
+  const auto add_cube = [&](double z, double radius) {
+    const dvec3 middle = to_blob.point({0, 0, z});
+    all.add(Bounds3{middle - radius * widening, middle + radius * widening});
+  };
+  add_cube(0, std::sqrt(c.radius2));
+  if (c.length < 0) return all;
+  add_cube(c.length, std::sqrt(c.radius2));
+  add_cube(0.5 * c.length, std::sqrt(c.radius2 + 0.25 * c.length * c.length));
+  return all;
+}
+
 }  // namespace
 
 dvec3 BlobComponent::from_axis(dvec3 own) const {
@@ -128,35 +145,20 @@ std::vector<BlobComponent> blob_components(std::span<const double> list, double 
                                            : c.radius2;
     Transform placement = Transform::translate(from);
     Bounds3 reach{dvec3(-radius), dvec3(radius)};
-    Bounds3 seen = reach;
     if (rod) {
       c.length = glm::distance(from, to);
       placement = frame_along(from, (to - from) / c.length, 1, 1);
       reach.hi.z += c.length;
-      const double around = std::sqrt(c.radius2 + 0.25 * c.length * c.length);
-      seen = {dvec3(-around), dvec3(around)};
-      seen.lo.z += 0.5 * c.length;
-      seen.hi.z += 0.5 * c.length;
-    }
-    Bounds3 around_middle;  // the oracle's cube around a rod is not turned with it
-    if (rod) {
-      const dvec3 half = 0.5 * (seen.hi - seen.lo);
-      around_middle = {0.5 * (from + to) - half, 0.5 * (from + to) + half};
-    } else {
-      around_middle = {from - dvec3(radius), from + dvec3(radius)};
     }
     if ((kind & 2U) != 0) {
       std::array<double, 12> m{};
       for (double& x : m) x = next();
-      if (const auto moved = Transform::matrix(m)) {
-        placement = placement.then(*moved);
-        around_middle = around_middle.transformed(moved->forward);
-      }
+      if (const auto moved = Transform::matrix(m)) placement = placement.then(*moved);
     }
     c.to_own = placement.backward;
     c.plain = !rod && (kind & 2U) == 0;
     c.reach = reach.transformed(placement.forward);
-    if (strength > 0) c.seen = around_middle;
+    if (strength > 0) c.seen = seen_of(c, placement.forward);
     all.push_back(c);
   }
   return all;

@@ -11,6 +11,13 @@
 #include "tracer/transport/texture_parts.h"
 
 namespace durer::tracer {
+namespace {
+
+/// What a photon's weight is multiplied by once more where it is reflected or let through: its
+/// limit is on the square of what a camera ray would have left, as the oracle's stored photons show.
+float strongest(vec3 share) { return std::max({share.r, share.g, share.b}); }
+
+}  // namespace
 
 PhotonTracer::PhotonTracer(const CompiledScene& scene, Scratch& scratch)
     : scene_(scene), scratch_(scratch), tracer_(scene, scratch, false) {
@@ -205,7 +212,7 @@ void PhotonTracer::reflect(const View& view, const LayerSum& sum, const Flight& 
     if (tir && Tracer::same_direction(r.n, sum.top)) continue;
     Flight on = flight;
     on.path.ray = {view.p, mirror(view.d, r.n, view.g)};
-    on.path.weight = r.weight;
+    on.path.weight = r.weight * strongest(r.rho);
     on.path.reflected = true;
     const Finish& f = *r.finish;
     if (f.irid > 0) {
@@ -232,6 +239,7 @@ bool PhotonTracer::transmit(const View& view, const LayerSum& sum, const Flight&
     }
     on.path.wavelength = wavelength;
     on.colour *= film ? *film : sum.through;
+    if (!film) on.path.weight *= strongest(sum.through);
     follow(on, journey);
     return film.has_value();
   };

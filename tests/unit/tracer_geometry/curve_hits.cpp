@@ -218,7 +218,8 @@ TEST_CASE("curves: boxes end where the oracle's do", "[tracer][extent]") {
   CHECK(sweep.hi.x == Approx(5));
   const Bounds3 rod = box("blob", {0.5, 1, 0, 0, 0, 0, 1, 0, 1, 1, plain});
   CHECK(rod.hi.x == Approx(1.118034005));
-  CHECK(rod.lo.y == Approx(0.5 - 1.118034005));
+  CHECK(rod.lo.y == Approx(-1));
+  CHECK(rod.hi.y == Approx(2));
 }
 
 }  // namespace durer::tracer::test
