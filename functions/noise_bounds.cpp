@@ -1,5 +1,7 @@
 // Bounds and derivatives of the scalar noise: what interval and gradient evaluation need.
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "functions/noise.h"
@@ -141,10 +143,38 @@ Interval unknown_noise(const Interval& x, const Interval& y, const Interval& z) 
 
 }  // namespace
 
+namespace {
+
+/// Beyond this radius, in cells, a ball around the middle bounds a box: it may reach into several
+/// cells, and costs no more than a point. Below it, the box's own bounds are much closer.
+constexpr double small_ball = 0.1;
+
+/// Longer than any gradient that was found: the longest among six million places, and on climbs from
+/// there, were 2.82, 1.41 and 1.49 for generators 1, 2 and 3. Measured with a margin, not proved.
+double steepest_noise(NoiseGenerator generator) {
+  return generator == 3 ? 1.9 : generator == 2 ? 1.8 : 3.6;
+}
+
+double square(double v) { return v * v; }
+
+/// From the value in the middle, and how far it can change until the corners.
+Interval noise_in_ball(const Interval& x, const Interval& y, const Interval& z, double radius,
+                       NoiseGenerator generator) {
+  Interval r = unknown_noise(x, y, z);
+  const double reach = steepest_noise(generator) * radius + pad;
+  if (r.nan || !(reach < 1)) return r;
+  const double middle = noise(x.mid(), y.mid(), z.mid(), generator);
+  return {std::max(middle - reach, 0.0), std::min(middle + reach, 1.0)};
+}
+
+}  // namespace
+
 Interval noise(Interval x, Interval y, Interval z, NoiseGenerator generator) {
   if (x.is_point() && y.is_point() && z.is_point()) {
     return noise(dvec3(x.lo, y.lo, z.lo), generator);
   }
+  const double radius = std::sqrt(square(x.radius()) + square(y.radius()) + square(z.radius()));
+  if (!(radius < small_ball)) return noise_in_ball(x, y, z, radius, generator);
   const std::optional<Sum> sum = sum_over_cells(x, y, z, generator);
   if (!sum) return unknown_noise(x, y, z);
   Interval r = clamped_noise(sum->v, generator);

@@ -7,7 +7,7 @@
 namespace durer::tracer {
 namespace {
 
-/// Samples are cheaper than bounds: those are made anew after so many halvings.
+/// Bounds of the slopes are made anew after so many halvings.
 constexpr int halvings = 3;
 
 /// NaN counts as outside.
@@ -224,7 +224,8 @@ std::optional<double> FieldSearch::solve(const Rise& rise) {
   return t;
 }
 
-Trend FieldSearch::trend_over(double a, double b) const {
+/// The axis-parallel box of a part of the line.
+std::array<Interval, 3> FieldSearch::box_of(double a, double b) const {
   const dvec3 p = ray_.at(a);
   const dvec3 q = ray_.at(b);
   std::array<Interval, 3> box;
@@ -232,7 +233,15 @@ Trend FieldSearch::trend_over(double a, double b) const {
     const double pad = 1e-15 * (std::abs(p[k]) + std::abs(q[k]));
     box[static_cast<std::size_t>(k)] = {std::min(p[k], q[k]) - pad, std::max(p[k], q[k]) + pad};
   }
-  return functions::evaluate_trend(*tape_, box, workspace_);
+  return box;
+}
+
+/// True if bounds of the value alone tell that the sign does not change.
+bool FieldSearch::keeps_sign(const Piece& piece) const {
+  const Interval range =
+      functions::evaluate_interval(*tape_, box_of(piece.a, piece.b), workspace_);
+  const double threshold = field_.threshold();
+  return !range.nan && (range.lo > threshold || range.hi <= threshold);
 }
 
 /// Same sign at both ends: true if the slopes between do not suffice to reach zero.
@@ -248,8 +257,9 @@ bool FieldSearch::stays_clear(const Piece& piece) {
   return ga * up - gb * down + down * up * (piece.b - piece.a) > 0;
 }
 
-/// Settles the signs along a piece in which several roots may lie. Samples are cheaper than bounds,
-/// so bounds are made anew only after some halvings.
+/// Settles the signs along a piece in which several roots may lie. Samples are cheapest; bounds of
+/// the value are next, and are asked wherever they may be all that it takes. Bounds of the slopes cost
+/// several times as much, so they are made anew only after some halvings.
 void FieldSearch::resolve(Piece piece, int depth) {
   const double length = piece.b - piece.a;
   const int before = sign_of(piece.ga);
@@ -265,8 +275,11 @@ void FieldSearch::resolve(Piece piece, int depth) {
     if (before != after) settle(after, bracketed_root(piece));
     return;
   }
-  if (depth % halvings == halvings - 1 || !piece.slope.is_bounded()) {
-    const Trend trend = trend_over(piece.a, piece.b);
+  if (before == after && keeps_sign(piece)) return;
+  const bool promising = before != after || depth > halvings;
+  if ((promising && depth % halvings == halvings - 1) || !piece.slope.is_bounded()) {
+    const Trend trend =
+        functions::evaluate_trend(*tape_, box_of(piece.a, piece.b), workspace_);
     if (const Interval range = trend.range(); !range.nan) {
       const double threshold = field_.threshold();
       if (before == after && (range.lo > threshold || range.hi <= threshold)) return;

@@ -2,6 +2,7 @@
 // bounds say that there is none.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "tracer/primitives/container.h"
@@ -61,7 +62,8 @@ class FieldSearch {
   };
   void resolve(Piece piece, int depth);
   [[nodiscard]] static bool stays_clear(const Piece& piece);
-  [[nodiscard]] Trend trend_over(double a, double b) const;
+  [[nodiscard]] std::array<Interval, 3> box_of(double a, double b) const;
+  [[nodiscard]] bool keeps_sign(const Piece& piece) const;
   struct Rise {
     double begin, end;     // where to look
     double limit;          // the root, if there is one, lies before
