@@ -117,6 +117,31 @@ TEST_CASE("program: help and version go to standard output", "[cli][program]") {
   CHECK(has(help.out, "--antialias"));
 }
 
+TEST_CASE("program: gathered light is written, taken up, and nothing else is", "[cli][program]") {
+  const test::Folder folder;
+  folder.file("r.scene",
+              "global_settings { radiosity { count 20 } } camera { location -4*z look_at 0 }\n"
+              "light_source { <-4, 6, -5> rgb 1 } plane { y, -1 pigment { rgb 0.8 } }\n"
+              "sphere { 0, 1 pigment { rgb <0.9, 0.5, 0.2> } }\n");
+  folder.file("bad.rca", "P3 1 1\n");
+  CHECK(run("r.scene +W16 +H12 +RFI +RFnone.rca").code == 1);
+  const Run bad = run("r.scene +W16 +H12 +RFI +RFbad.rca");
+  CHECK(bad.code == 1);
+  CHECK(has(bad.err, "`bad.rca` is no file of gathered light"));
+  CHECK_FALSE(read_file("r.png"));
+
+  REQUIRE(run("r.scene +W16 +H12 +RFI +RFO").code == 0);  // the first frame of an animation
+  const auto first = read_file("object.rca");
+  REQUIRE(first);
+  CHECK(first->starts_with("C"));
+  REQUIRE(run("r.scene +W16 +H12 +RFI +RFO").code == 0);
+  CHECK(read_file("object.rca")->size() >= first->size());
+
+  const Run lost = run("r.scene +W16 +H12 +RFO +RFnowhere/a.rca");
+  CHECK(lost.code == 0);  // the picture is there
+  CHECK(has(lost.err, "cannot write `nowhere/a.rca`"));
+}
+
 }  // namespace durer::cli
 
 #endif
