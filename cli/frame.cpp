@@ -90,7 +90,8 @@ class Render {
   int trace(const scene::Scene& scene, const tracer::CompiledScene& compiled,
             const Window& window) {
     tracer::RenderOptions options = render_options(settings_, window);
-    if (const auto problem = take_gathered_light(options)) {
+    const bool gathers = scene.settings.radiosity && !settings_.paths;
+    if (const auto problem = gathers ? take_gathered_light(options) : std::nullopt) {
       return console_.fail(Code::file_not_found, *problem,
                            "`+RFO` writes such a file, `-RFI` renders without it");
     }

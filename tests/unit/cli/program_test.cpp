@@ -137,6 +137,11 @@ TEST_CASE("program: gathered light is written, taken up, and nothing else is", "
   REQUIRE(run("r.scene +W16 +H12 +RFI +RFO").code == 0);
   CHECK(read_file("object.rca")->size() >= first->size());
 
+  // What gathers nothing leaves the file alone.
+  const auto kept = read_file("object.rca");
+  REQUIRE(run("r.scene +W16 +H12 +RFO --integrator path --samples 1").code == 0);
+  CHECK((read_file("object.rca") == kept));
+
   const Run lost = run("r.scene +W16 +H12 +RFO +RFnowhere/a.rca");
   CHECK(lost.code == 0);  // the picture is there
   CHECK(has(lost.err, "cannot write `nowhere/a.rca`"));
