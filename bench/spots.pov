@@ -1,13 +1,13 @@
-// bench: +W1024 +H768 -A; 48 spotlights over a row of columns
+// bench: +W1024 +H768 -A; 200 spotlights over a row of columns
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 5, -11> look_at <0, 0.8, 0> angle 46 }
 light_source { <0, 20, -20> rgb 0.15 }
 #for (I, -4, 3)
-  #for (K, 0, 5)
+  #for (K, 0, 24)
     light_source {
-      <I + 0.5, 3.5, K - 2.5> rgb <0.4 + 0.1*I, 0.5, 0.9 - 0.12*K>
-      spotlight radius 6 falloff 12 + K point_at <I + 0.3, 0, K - 2.7>
+      <I + 0.5, 3.5, 0.3*K - 2.8> rgb <0.4 + 0.1*I, 0.5, 0.9 - 0.03*K> / 2
+      spotlight radius 4 falloff 9 + mod(K, 5) point_at <I + 0.3, 0, 0.3*K - 3>
     }
   #end
   cylinder { <I + 0.5, 0, 0>, <I + 0.5, 2, 0>, 0.18 pigment { rgb 0.9 } }
