@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "tracer/accel/box_tree.h"
 #include "tracer/accel/shaft.h"
+#include "tracer/accel/wide_nodes.h"
 #include "tracer/primitives/store.h"
 
 namespace durer::tracer {
@@ -27,8 +27,8 @@ class CasterIndex {
   [[nodiscard]] bool gather(const Shaft& shaft, std::size_t most, std::vector<Caster>& out) const;
 
  private:
-  BoxTree boxes_;
-  std::vector<Caster> of_box_;
+  WideNodes nodes_;  // leaves are indices into finite_
+  std::vector<Caster> finite_;
   std::vector<Caster> endless_;
 };
 

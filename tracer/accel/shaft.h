@@ -8,6 +8,7 @@
 
 #include "base/bounds.h"
 #include "base/vec.h"
+#include "tracer/primitives/shaft_hull.h"
 
 namespace durer::tracer {
 
@@ -27,12 +28,20 @@ class Shaft {
     }
     const double share = longest > 0 ? begin / longest : 0;
     for (std::size_t i = 0; i < 4; ++i) {
-      box_.add(corners[i]);
-      box_.add(apex + share * ways[i]);
+      hull_.points[i] = corners[i];
+      hull_.points[i + 4] = apex + share * ways[i];
       const dvec3 side = glm::cross(ways[i], ways[(i + 1) % 4]);
       sides_[i] = glm::dot(side, centre - apex) < 0 ? -side : side;  // inwards
     }
+    hull_.apex = apex;
+    box_ = hull_.bounds();
   }
+
+  [[nodiscard]] dvec3 apex() const { return apex_; }
+  [[nodiscard]] const Bounds3& box() const { return box_; }
+  [[nodiscard]] const ShaftHull& hull() const { return hull_; }
+  /// Normals of its sides, of any length, inwards.
+  [[nodiscard]] const std::array<dvec3, 4>& sides() const { return sides_; }
 
   /// False if nothing inside of `b` can be in the shaft. It may be true for boxes that are near.
   [[nodiscard]] bool meets(const Bounds3& b) const {
@@ -50,6 +59,7 @@ class Shaft {
 
  private:
   dvec3 apex_;
+  ShaftHull hull_;
   Bounds3 box_;
   std::array<dvec3, 4> sides_;  // normals, of any length
 };

@@ -82,6 +82,11 @@ struct Sphere {
     return Nearest{t, 0};
   }
 
+  [[nodiscard]] bool misses(const ShaftHull& hull) const {
+    const dvec3 m = hull.apex - center;
+    return hull.beyond(center, m, std::abs(radius) * glm::length(m));
+  }
+
   void crossings(const Ray& ray, Crossings& out) const {
     const auto c = chord(ray, 1 / glm::dot(ray.d, ray.d));
     if (!c) return;

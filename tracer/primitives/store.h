@@ -14,6 +14,7 @@
 #include "base/bounds.h"
 #include "base/ray.h"
 #include "tracer/primitives/crossing.h"
+#include "tracer/primitives/shaft_hull.h"
 
 namespace durer::tracer {
 
@@ -53,6 +54,12 @@ class Targets {
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(tags.size()); }
   /// World box of the surface that can be seen.
   [[nodiscard]] virtual Bounds3 surface_bounds(std::uint32_t index) const = 0;
+
+  /// True if no ray inside of `hull` can meet object `index`, as far as that is found out quickly; more
+  /// than its box says.
+  [[nodiscard]] virtual bool misses(std::uint32_t /*index*/, const ShaftHull& /*hull*/) const {
+    return false;
+  }
 
   NearestFunction nearest = nullptr;
   std::vector<Tag> tags;

@@ -114,6 +114,13 @@ struct Torus::Ring {
     }
   }
 
+  /// What lies outside of the plane that touches the ring, on its outside, near the apex.
+  [[nodiscard]] bool misses(const ShaftHull& hull) const {
+    const dvec3 m = normal(hull.apex, 0);
+    const double support = major * std::sqrt(m.x * m.x + m.z * m.z) + minor * glm::length(m);
+    return hull.beyond(dvec3(0.0), m, support);
+  }
+
   void crossings(const Ray& ray, Crossings& out) const {
     bool inside = false;
     each_crossing(ray, -far, far, [&](double t, dvec3 p) {

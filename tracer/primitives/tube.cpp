@@ -28,6 +28,14 @@ dvec3 Tube::normal(dvec3 p, std::uint32_t part) const {
   return {p.x, p.y, -slope * radius(p.z)};
 }
 
+// The plane that touches the wall near the apex: how far along its normal both ends reach.
+bool Tube::misses(const ShaftHull& hull) const {
+  const dvec3 m = normal(hull.apex, 0);
+  const double aside = std::sqrt(m.x * m.x + m.y * m.y);
+  const double support = std::max(aside * std::abs(radius(0)), aside * std::abs(radius(1)) + m.z);
+  return hull.beyond(dvec3(0.0), m, support);
+}
+
 // Where x² + y² <= radius(z)², on the endless wall: a t² + 2 b t + c <= 0. Measured from the point
 // of the line nearest to the middle of the body, which keeps the discriminant exact far away.
 Tube::Pieces Tube::inside_wall(const Ray& ray) const {

@@ -8,6 +8,7 @@
 #include "base/bounds.h"
 #include "base/ray.h"
 #include "tracer/primitives/crossing.h"
+#include "tracer/primitives/shaft_hull.h"
 
 namespace durer::tracer {
 
@@ -20,6 +21,7 @@ struct Tube {
   [[nodiscard]] Bounds3 bounds() const;
   /// As in the oracle, the closed body shrinks by 1e-10 and the open one grows (objects §10.3).
   [[nodiscard]] bool contains(dvec3 p) const;
+  [[nodiscard]] bool misses(const ShaftHull& hull) const;
   [[nodiscard]] dvec3 normal(dvec3 p, std::uint32_t part) const;
   /// Caps of an open body are invisible crossings: its inside is that of the closed one.
   void crossings(const Ray& ray, Crossings& out) const;

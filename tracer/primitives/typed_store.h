@@ -16,11 +16,14 @@
 //   static constexpr bool uv_turns = true;                they need a space that turns with it
 //   TextureBlend textures(dvec3 p, std::uint32_t part) const;   looks of single parts
 //   std::pair<std::string, std::string> doubt() const;    see Store::doubt
+//   bool misses(const ShaftHull&) const;                  certainly outside of it, see Targets::misses
 //   static constexpr bool convex = true;
 //   static constexpr double far = …;                      greatest depth at which it is seen
 #pragma once
 
+#include <algorithm>
 #include <concepts>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <memory>
 #include <optional>
@@ -79,6 +82,10 @@ struct Baked {
   [[nodiscard]] dvec3 normal_to_world(dvec3 n) const { return n; }
   [[nodiscard]] Bounds3 to_world(const Bounds3& b) const { return b; }
   [[nodiscard]] std::pair<Affine, Affine> maps() const { return {}; }
+  [[nodiscard]] bool misses(const ShaftHull& hull) const {
+    if constexpr (requires { shape.misses(hull); }) return shape.misses(hull);
+    return false;
+  }
 };
 
 /// A shape in a space of its own. The ray's direction is not renormalised there, so that t stays
@@ -108,6 +115,15 @@ struct Placed {
   /// To the shape's space, and back.
   [[nodiscard]] std::pair<Affine, Affine> maps() const {
     return {to_shape, to_shape.inverse().value_or(Affine())};
+  }
+  [[nodiscard]] bool misses(const ShaftHull& hull) const {
+    const ShaftHull local = hull.moved(to_shape);
+    const Bounds3 apart = shape.bounds().intersection(local.bounds());
+    const dvec3 gap = apart.lo - apart.hi;
+    const dvec3 size = glm::max(glm::abs(apart.lo), glm::abs(apart.hi));
+    if (std::max({gap.x, gap.y, gap.z}) > 1e-9 * std::max({1.0, size.x, size.y, size.z})) return true;
+    if constexpr (requires { shape.misses(local); }) return shape.misses(local);
+    return false;
   }
 };
 
@@ -173,6 +189,9 @@ class TypedStore final : public Store {
   [[nodiscard]] std::pair<std::string, std::string> doubt(std::uint32_t index) const override {
     if constexpr (requires(const S& s) { s.doubt(); }) return items_[index].shape.doubt();
     return {};
+  }
+  [[nodiscard]] bool misses(std::uint32_t index, const ShaftHull& hull) const override {
+    return items_[index].misses(hull);
   }
   [[nodiscard]] bool convex() const override {
     if constexpr (requires { S::convex; }) return S::convex;
