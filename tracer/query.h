@@ -30,7 +30,7 @@ struct Found {
 /// Looks for t_from <= t < t_to; t_to shrinks to the nearest hit. World space, double: the
 /// hierarchy's own single-precision ray only chooses whom to ask.
 struct RayQuery {
-  Ray ray;
+  const Ray& ray;  // not a copy: reading at once what was just written in smaller pieces takes long
   double t_from = 0;
   double t_to = 0;
   std::uint8_t mask = 0;

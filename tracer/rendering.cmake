@@ -13,7 +13,7 @@ durer_library(tracer
     shading/texture.cpp shading/translucent.cpp
     cameras/camera.cpp ${camera_sources}
     lights/area.cpp lights/light.cpp
-    transport/atmosphere.cpp transport/caustics.cpp transport/emitters.cpp transport/irradiance_cache.cpp transport/irradiance_file.cpp transport/light.cpp
+    transport/area_shadow.cpp transport/atmosphere.cpp transport/caustics.cpp transport/emitters.cpp transport/irradiance_cache.cpp transport/irradiance_file.cpp transport/light.cpp
     transport/media.cpp transport/media_lights.cpp transport/path_lights.cpp transport/path_media.cpp transport/path_surface.cpp
     transport/path_tracer.cpp transport/photon_file.cpp transport/photon_gathering.cpp transport/photon_map.cpp
     transport/photon_plan.cpp transport/photon_shooting.cpp transport/photon_tracer.cpp transport/radiosity.cpp transport/shadow.cpp
@@ -22,6 +22,8 @@ durer_library(tracer
     film/progressive.cpp film/render.cpp
   LINKS durer::geometry durer::scene durer::functions
   PRIVATE_LINKS TBB::tbb fmt::fmt)
+# Nobody asks what errno says about square roots.
+target_compile_options(durer_tracer PRIVATE -fno-math-errno)
 if(TARGET durer::image)
   target_link_libraries(durer_tracer PUBLIC durer::image)
 endif()

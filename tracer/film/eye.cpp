@@ -27,6 +27,11 @@ Viewpoint::Viewpoint(const CompiledScene& s, const RenderOptions& o)
   if (c.normal->pattern->exists()) bump = bumps.add(*c.normal, {});
   const bool flat = c.kind == scene::Camera::Kind::perspective;
   one_origin = camera.type->one_origin && !(flat && lens.blurs());
+  if (lens.blurs()) {
+    lens_right = glm::normalize(glm::cross(c.up, c.direction));
+    lens_up = glm::normalize(glm::cross(c.direction, lens_right));
+    lens_scale = c.lens->focal_distance / glm::length(c.direction);
+  }
   if (c.kind == scene::Camera::Kind::mesh_camera) {
     turns = c.mesh->rays;
     if (c.mesh->reach > 0) reach = c.mesh->reach;
@@ -92,11 +97,9 @@ Pixel Eye::through_lens(dvec2 at, dvec2 pixel, std::uint32_t index, int sample) 
   CameraRay ray;
   if (!camera_ray(at.x, at.y, 0, ray)) return nothing;
   const dvec2 part = view_->lens.on_lens(at, sample);
-  const dvec3 across = glm::normalize(glm::cross(c.up, c.direction));
-  const dvec3 upwards = glm::normalize(glm::cross(c.direction, across));
-  const dvec3 shift = part.x * across - part.y * upwards;
+  const dvec3 shift = part.x * view_->lens_right - part.y * view_->lens_up;
   ray.ray.o = c.location + shift;
-  ray.ray.d = c.lens->focal_distance / glm::length(c.direction) * ray.ray.d - shift;
+  ray.ray.d = view_->lens_scale * ray.ray.d - shift;
   return look_along(ray, pixel.x, pixel.y, index * 4099 + static_cast<std::uint32_t>(sample));
 }
 
@@ -109,18 +112,20 @@ Pixel Eye::look_along(const CameraRay& ray, double x, double y, std::uint32_t in
     path.ray.d = glm::normalize(view_->bumps.at(view_->bump, place, path.ray.d, nullptr));
   }
   path.reach = view_->reach;
-  path.inside = view_->one_origin ? view_->scene->around_camera : around(path.ray.o);
+  if (view_->one_origin) {
+    path.inside = view_->scene->around_camera;
+  } else {
+    find_bodies_around(path.ray.o, path.inside);
+  }
   const Radiance r =
-      view_->scene->quality.path ? paths_.trace(path, random_) : tracer_.trace(path);
+      view_->scene->quality.path ? paths_.trace(path, random_) : tracer_.trace_on(path);
   return {r.colour, r.transmittance};
 }
 
-Containment Eye::around(dvec3 p) {
-  Containment inside;
+void Eye::find_bodies_around(dvec3 p, Containment& inside) {
   scratch_.containing.clear();
   view_->scene->geometry.containing(p, scratch_.containing, *scratch_.geometry);
   for (const std::uint32_t id : scratch_.containing) inside.append(id);
-  return inside;
 }
 
 }  // namespace durer::tracer

@@ -20,6 +20,9 @@ struct Viewpoint {
   NormalStore bumps;  // of the camera
   NormalId bump = scene::none;
   bool one_origin = true;  // all rays start where the camera is
+  dvec3 lens_right{0.0};   // unit: axes of the lens …
+  dvec3 lens_up{0.0};
+  double lens_scale = 1;  // … and from the camera's directions to places that are in focus
   int turns = 1;           // rays per sample
   double reach = no_hit_depth;
   const PhotonMaps* photons = nullptr;  // once they are shot
@@ -50,7 +53,7 @@ class Eye {
   Pixel plain(double x, double y, std::uint32_t index);
   [[nodiscard]] Pixel through_lens(dvec2 at, dvec2 pixel, std::uint32_t index, int sample);
   [[nodiscard]] Pixel look_along(const CameraRay& ray, double x, double y, std::uint32_t index);
-  [[nodiscard]] Containment around(dvec3 p);
+  void find_bodies_around(dvec3 p, Containment& inside);
 
   const Viewpoint* view_;
   Scratch scratch_;

@@ -47,13 +47,13 @@ double beam(const Light& light, dvec3 p) {
   return a;
 }
 
+}  // namespace
+
 dvec3 axis_from(const Light& light, dvec3 position) {
   const dvec3 way = light.point_at - position;
   const double length = glm::length(way);
   return length > 0 ? way / length : light.axis;
 }
-
-}  // namespace
 
 Light compile_light(const scene::Light& in, bool areas) {
   Light light;
@@ -102,21 +102,6 @@ double attenuation(const Light& light, const Incidence& in, dvec3 p) {
     a *= 2 / (1 + std::pow(in.distance / light.fade_distance, light.fade_power));
   }
   return a;
-}
-
-Incidence direction_to(const Light& light, dvec3 offset, dvec3 p) {
-  Incidence in;
-  const dvec3 position = light.position + offset;
-  const dvec3 way = position - p;
-  in.distance = glm::length(way);
-  if (in.distance == 0) return in;  // the lamp itself: no direction, no light
-  in.l = way / in.distance;
-  if (light.parallel) {
-    const dvec3 axis = light.has_area ? axis_from(light, position) : light.axis;
-    in.distance *= -glm::dot(axis, in.l);
-    in.l = -axis;
-  }
-  return in;
 }
 
 Incidence incidence(const Light& light, dvec3 p) {

@@ -1,6 +1,10 @@
 // Lamps: where their light comes from and how much of it arrives (shading §6.1-6.3).
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
 #include "base/vec.h"
 #include "scene/light.h"
 
@@ -39,14 +43,66 @@ struct Incidence {
 };
 
 [[nodiscard]] Incidence incidence(const Light& light, dvec3 p);
-/// The same for one sample of its area, `offset` from its centre. Without colour.
-[[nodiscard]] Incidence direction_to(const Light& light, dvec3 offset, dvec3 p);
+/// Where a lamp at `position` shines to; unit.
+[[nodiscard]] dvec3 axis_from(const Light& light, dvec3 position);
+/// The same as `incidence` for one sample of a lamp's area, `offset` from its centre. Without colour.
+[[nodiscard]] inline Incidence direction_to(const Light& light, dvec3 offset, dvec3 p) {
+  Incidence in;
+  const dvec3 position = light.position + offset;
+  const dvec3 way = position - p;
+  in.distance = glm::length(way);
+  if (in.distance == 0) return in;  // the lamp itself: no direction, no light
+  in.l = way / in.distance;
+  if (light.parallel) {
+    const dvec3 axis = light.has_area ? axis_from(light, position) : light.axis;
+    in.distance *= -glm::dot(axis, in.l);
+    in.l = -axis;
+  }
+  return in;
+}
 /// Share of the colour that arrives at `p`, before shadows: cones and fading.
 [[nodiscard]] double attenuation(const Light& light, const Incidence& in, dvec3 p);
 
-/// Where sample (u, v) of a lamp's grid is, from its centre. `l`: unit, from the lit point to the
-/// centre. `u` and `v` need not be whole: jitter moves them by up to half.
-[[nodiscard]] dvec3 area_offset(const scene::LightArea& area, double u, double v, dvec3 l);
+/// A lamp's grid of samples, as one lit point sees it.
+struct AreaGrid {
+  /// `l`: unit, from the lit point to the lamp's centre.
+  AreaGrid(const scene::LightArea& area, dvec3 l);
+
+  /// Where sample (u, v) is, as shares of the edges from the centre. `u` and `v` need not be whole:
+  /// jitter moves them by up to half.
+  [[nodiscard]] dvec2 place(double u, double v) const {
+    double a = along(u, area->n1);
+    double b = along(v, area->n2);
+    if (area->circular) {
+      // Squares become circles. The middle is moved a little, where there is no direction.
+      a += 0.001;
+      b += 0.001;
+      const double scale = std::max(std::abs(a), std::abs(b)) / std::sqrt(a * a + b * b);
+      a *= scale;
+      b *= scale;
+    }
+    return {a, b};
+  }
+  [[nodiscard]] dvec3 offset(dvec2 place) const { return place.x * u_axis + place.y * v_axis; }
+  /// Bounds of the places that samples can have, to either side.
+  [[nodiscard]] dvec2 reach() const;
+
+  const scene::LightArea* area;
+  dvec3 u_axis;  // the edges
+  dvec3 v_axis;
+
+ private:
+  // -1/2…1/2 along one side; a single sample is in the middle.
+  [[nodiscard]] static double along(double index, int samples) {
+    return samples > 1 ? index / (samples - 1) - 0.5 : 0;
+  }
+};
+
+/// Where sample (u, v) of a lamp's grid is, from its centre.
+[[nodiscard]] inline dvec3 area_offset(const scene::LightArea& area, double u, double v, dvec3 l) {
+  const AreaGrid grid(area, l);
+  return grid.offset(grid.place(u, v));
+}
 
 /// Which points a lamp can reach at all: a cone, or everything. Small, because scenes of many lamps
 /// ask all of them at every point.
@@ -66,13 +122,6 @@ struct Reach {
   }
 };
 [[nodiscard]] Reach reach_of(const Light& light);
-
-/// Vectors from a lamp's centre to the edges of all places that its samples can have.
-struct AreaExtent {
-  dvec3 half_u{0.0};
-  dvec3 half_v{0.0};
-};
-[[nodiscard]] AreaExtent area_extent(const scene::LightArea& area, dvec3 l);
 
 /// True if a colour is too dark to matter: every component below epsilon in size.
 [[nodiscard]] inline bool dark(vec3 c) {

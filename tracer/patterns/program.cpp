@@ -17,9 +17,11 @@ dvec3 transform_point(const PatternState& state, dvec3 p) { return state.as<Affi
 
 // Keeps points representable for the patterns' whole-number arithmetic; NaN becomes a bound.
 dvec3 clamp_point(dvec3 p) {
-  constexpr double limit = 1e17;
-  for (int i = 0; i < 3; ++i) p[i] = std::min(limit, std::max(-limit, p[i]));
-  return p;
+  const auto clamped = [](double x) {
+    constexpr double limit = 1e17;
+    return std::min(limit, std::max(-limit, x));
+  };
+  return {clamped(p.x), clamped(p.y), clamped(p.z)};
 }
 
 }  // namespace

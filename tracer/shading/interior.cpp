@@ -1,6 +1,5 @@
 #include "tracer/shading/interior.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace durer::tracer {
@@ -27,45 +26,28 @@ Interior compile_interior(const scene::Interior* in, bool hollow, const scene::F
   return out;
 }
 
-bool Containment::contains(std::uint32_t id) const {
-  return std::find(ids_.begin(), ids_.begin() + size_, id) != ids_.begin() + size_;
-}
-
-void Containment::append(std::uint32_t id) {
-  if (size_ < capacity) ids_[size_++] = id;
-}
-
-bool Containment::remove(std::uint32_t id) {
-  const auto end = ids_.begin() + size_;
-  const auto found = std::find(ids_.begin(), end, id);
-  if (found == end) return false;
-  std::copy(found + 1, end, found);
-  --size_;
-  return true;
-}
-
-void Containment::toggle(std::uint32_t id) {
-  if (!remove(id)) append(id);
-}
-
-IndexRatio pass(std::span<const Interior> interiors, std::uint32_t id, Containment& inside) {
+IndexRatio index_ratio(std::span<const Interior> interiors, std::uint32_t id,
+                       const Containment& inside) {
   static constexpr Interior air;
   const Interior& body = interiors[id];
-  const auto outer = [&]() -> const Interior& {
-    return inside.empty() ? air : interiors[inside.innermost()];
-  };
+  const std::span ids = inside.ids();
   const auto ratio = [](const Interior& from, const Interior& to) {
     return IndexRatio{from.ior / to.ior, from.dispersion / to.dispersion};
   };
-  if (!inside.empty() && inside.innermost() == id) {
-    inside.remove(id);
-    return ratio(body, outer());
+  if (ids.empty()) return ratio(air, body);
+  if (ids.back() != id) {
+    // Leaving a body that is not the innermost one is leaving an overlap: straight on.
+    return inside.contains(id) ? IndexRatio{} : ratio(interiors[ids.back()], body);
   }
-  // Leaving a body that is not the innermost one is leaving an overlap: straight on.
-  if (inside.remove(id)) return {};
-  const IndexRatio entering = ratio(outer(), body);
-  inside.append(id);
-  return entering;
+  if (ids.size() == 1) return ratio(body, air);
+  const bool twice = inside.first(id) + 1 < ids.size();  // then it is still the innermost one
+  return ratio(body, twice ? body : interiors[ids[ids.size() - 2]]);
+}
+
+IndexRatio pass(std::span<const Interior> interiors, std::uint32_t id, Containment& inside) {
+  const IndexRatio ratio = index_ratio(interiors, id, inside);
+  inside.toggle(id);
+  return ratio;
 }
 
 double fresnel_index(std::span<const Interior> interiors, std::uint32_t id,

@@ -49,12 +49,27 @@ class Containment {
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] std::uint32_t innermost() const { return ids_[size_ - 1]; }
   [[nodiscard]] std::span<const std::uint32_t> ids() const { return {ids_.data(), size_}; }
-  [[nodiscard]] bool contains(std::uint32_t id) const;
-  void append(std::uint32_t id);
+  [[nodiscard]] bool contains(std::uint32_t id) const { return first(id) < size_; }
+  void append(std::uint32_t id) {
+    if (size_ < capacity) ids_[size_++] = id;
+  }
   /// Removes the first occurrence of `id`; false if there is none.
-  bool remove(std::uint32_t id);
+  bool remove(std::uint32_t id) {
+    std::uint32_t i = first(id);
+    if (i == size_) return false;
+    for (--size_; i < size_; ++i) ids_[i] = ids_[i + 1];
+    return true;
+  }
   /// Leaves the body if the ray is inside of it, else enters it.
-  void toggle(std::uint32_t id);
+  void toggle(std::uint32_t id) {
+    if (!remove(id)) append(id);
+  }
+  /// Where `id` occurs first in ids(); their number if it does not.
+  [[nodiscard]] std::uint32_t first(std::uint32_t id) const {
+    std::uint32_t i = 0;
+    while (i < size_ && ids_[i] != id) ++i;
+    return i;
+  }
 
  private:
   void copy(const Containment& other) {
@@ -73,6 +88,9 @@ struct IndexRatio {
 
 /// Passes through a surface of body `id`: changes `inside` and returns the ratio (shading §5.1).
 IndexRatio pass(std::span<const Interior> interiors, std::uint32_t id, Containment& inside);
+/// The ratio alone, as it would be.
+[[nodiscard]] IndexRatio index_ratio(std::span<const Interior> interiors, std::uint32_t id,
+                                     const Containment& inside);
 
 /// n behind over n before a surface, as fresnel reflection sees it (shading §4.8).
 [[nodiscard]] double fresnel_index(std::span<const Interior> interiors, std::uint32_t id,

@@ -57,12 +57,13 @@ bool Tracer::is_behind(const View& view, const LayerPoint& layer, dvec3 l) {
 vec3 Tracer::shade_by_area(const View& view, const LayerPoint& layer, const Light& light,
                            const LampAtPoint& lamp) {
   const scene::LightArea& area = light.area;
+  const AreaGrid grid(area, lamp.in.l);
   const auto share = 1 / static_cast<float>(area.n1 * area.n2);
   vec3 sum(0.0F);
   for (int v = 0; v < area.n2; ++v) {
     for (int u = 0; u < area.n1; ++u) {
       LampAtPoint sample = lamp;
-      sample.in = direction_to(light, area_sample(light, u, v, lamp.in.l), view.p);
+      sample.in = direction_to(light, grid.offset(area_place(grid, u, v)), view.p);
       if (sample.in.l == dvec3(0.0)) continue;
       const bool hidden = is_behind(view, layer, sample.in.l);
       if (hidden && layer.finish->diffuse_back == 0) continue;

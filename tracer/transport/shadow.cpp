@@ -2,7 +2,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "tracer/random.h"
 #include "tracer/transport/texture_parts.h"
 
 namespace durer::tracer {
@@ -12,12 +11,7 @@ vec3 Tracer::shadowed(const Light& light, const Incidence& in, dvec3 p, const Co
   if (!quality_.shadows || (light.shadowless && light.projector == scene::none)) return in.colour;
   const bool collects = receiver.collects && has_caustics();
   if (!light.has_area || receiver.as_point) return point_shadow(light, in, p, inside, collects);
-  AreaShadow whole{light, in, p, inside, collects};
-  if (whole.few = few_casters(light, in, p); whole.few && scratch_->casters.empty()) {
-    return in.colour;
-  }
-  scratch_->area.assign(static_cast<std::size_t>(light.area.n1 * light.area.n2), {});
-  return area_shadow(whole, {0, 0, light.area.n1 - 1, light.area.n2 - 1}, 0);
+  return area_shadow(light, in, p, inside, collects);
 }
 
 // Where nothing is translucent any blocker will do; otherwise the nearest ones are asked in turn,
@@ -78,74 +72,6 @@ vec3 Tracer::walk_shadow(const Light& light, const Incidence& in, dvec3 p, doubl
     ray.o = hit.p;
     way -= hit.t;
   }
-}
-
-// Finds all that could stand between a point and a lamp's area, when that is as good as asking the
-// hierarchy for every sample.
-bool Tracer::few_casters(const Light& light, const Incidence& in, dvec3 p) {
-  if (light.parallel || light.projector != scene::none) return false;
-  if (light.dimmed_by_air && dims()) return false;
-  const AreaExtent extent = area_extent(light.area, in.l);
-  const Shaft shaft(p, light.position, extent.half_u, extent.half_v, t_shadow);
-  if (!scene_->geometry.casters(shaft, scratch_->casters)) return false;
-  return !translucent_shadows_ || scratch_->casters.empty();
-}
-
-// A sample of a lamp's area, from its centre; `l` points from the lit point to that.
-dvec3 Tracer::area_sample(const Light& light, int u, int v, dvec3 l) {
-  double a = u;
-  double b = v;
-  if (light.area.jitter) {
-    a += random_unit(scratch_->noise) - 0.5;
-    b += random_unit(scratch_->noise) - 0.5;
-  }
-  return area_offset(light.area, a, b, l);
-}
-
-// The light of one sample; asked again, it answers the same.
-vec3 Tracer::area_corner(const AreaShadow& lit, int u, int v) {
-  const auto place = static_cast<std::size_t>(v * lit.light.area.n1 + u);
-  if (scratch_->area[place].known) return scratch_->area[place].light;
-  Incidence in = direction_to(lit.light, area_sample(lit.light, u, v, lit.centre.l), lit.p);
-  in.colour = lit.centre.colour;
-  vec3 light;
-  if (lit.few && in.distance > 2 * t_shadow) {
-    ++scratch_->rays;
-    const bool blocked = scene_->geometry.occluded_by(
-        scratch_->casters, {lit.p, in.l}, t_shadow, in.distance - t_shadow, *scratch_->geometry);
-    light = blocked ? vec3(0.0F) : in.colour;
-  } else {
-    light = point_shadow(lit.light, in, lit.p, lit.inside, lit.collects);
-  }
-  scratch_->area[place] = {light, true};
-  return light;
-}
-
-// The mean of a rectangle's corners; where they differ, of its quarters. So samples weigh more the
-// finer the division around them is, as in the oracle.
-vec3 Tracer::area_shadow(const AreaShadow& lit, const AreaPart& r, int level) {
-  const std::array corner{area_corner(lit, r.u1, r.v1), area_corner(lit, r.u2, r.v1),
-                          area_corner(lit, r.u1, r.v2), area_corner(lit, r.u2, r.v2)};
-  const vec3 mean = (corner[0] + corner[1] + corner[2] + corner[3]) * 0.25F;
-  if (r.u2 - r.u1 <= 1 && r.v2 - r.v1 <= 1) return mean;
-  const auto differ = [](vec3 a, vec3 b) {
-    const vec3 e = a - b;
-    return std::abs(e.x) + std::abs(e.y) + std::abs(e.z) > 0.1F;
-  };
-  if (level >= lit.light.area.adaptive && !differ(corner[0], corner[1]) &&
-      !differ(corner[1], corner[3]) && !differ(corner[3], corner[2]) &&
-      !differ(corner[2], corner[0])) {
-    return mean;
-  }
-  const int u_low = (r.u1 + r.u2) / 2;
-  const int v_low = (r.v1 + r.v2) / 2;
-  const int u_high = (r.u1 + r.u2 + 1) / 2;
-  const int v_high = (r.v1 + r.v2 + 1) / 2;
-  vec3 sum = area_shadow(lit, {r.u1, r.v1, u_low, v_low}, level + 1);
-  sum += area_shadow(lit, {u_high, r.v1, r.u2, v_low}, level + 1);
-  sum += area_shadow(lit, {r.u1, v_high, u_low, r.v2}, level + 1);
-  sum += area_shadow(lit, {u_high, v_high, r.u2, r.v2}, level + 1);
-  return sum * 0.25F;
 }
 
 // What a surface leaves of light that shines straight through it.

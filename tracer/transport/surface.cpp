@@ -56,7 +56,7 @@ Tracer::Step Tracer::surface(const View& view, Path& path) {
     if (see_through) transmit(view, layers, path, step);
     return step;
   }
-  const Path arrived = path;
+  Path arrived = path;
   if (see_through) transmit(view, layers, path, step);
   step.colour += reflect(view, layers, arrived, first, step.tir);
   scratch_->reflections.resize(first);
@@ -209,25 +209,35 @@ std::optional<vec3> Tracer::bend_path(const View& view, const LayerSum& layers, 
 
 void Tracer::transmit(const View& view, const LayerSum& layers, Path& path, Step& step) {
   const vec3 a = attenuation(view, path);
-  Crossing c = cross(view, layers, path);
+  const IndexRatio ratio = index_ratio(scene_->interiors, view.interior, path.inside);
+  const bool disperses = !is_one(ratio.dispersion);
   step.through = a * layers.through;
   step.transmittance = grey(a) * layers.sigma;
-  step.straight = c.straight;
-  if (c.disperses && path.wavelength == 0) {
-    const Radiance r = disperse(view, layers, path, c);
+  step.straight = is_one(ratio.ior) && !disperses;
+  if (disperses && path.wavelength == 0) {
+    const Radiance r = disperse(view, layers, path, cross(view, layers, path));
     step.colour += step.through * r.colour;
     step.transmittance *= r.transmittance;
     return;
   }
-  if (!c.straight) {
-    if (const auto tint = bend_path(view, layers, path, c.eta(path.wavelength), c.next)) {
-      step.through = a * *tint;
-      step.transmittance = 0;
-      step.tir = true;
-    }
-  }
+  // The same as `cross` and `bend_path`, but the path is not copied: this is done at every surface.
   step.continues = true;
-  path = c.next;
+  path.weight *= greatest_size(layers.through);
+  path.ray = {view.p, view.d};
+  const double eta =
+      disperses ? ratio.ior * index_factor(ratio.dispersion, path.wavelength) : ratio.ior;
+  if (step.straight || refracted(view.d, layers.top, eta, path.ray.d)) {
+    path.inside.toggle(view.interior);
+    path.reach = no_hit_depth;
+    path.first = nullptr;
+    path.transmitted = true;
+    return;
+  }
+  path.ray.d = mirror(view.d, layers.top, view.g);
+  path.reflected = true;
+  step.through = a * film_tint(view, layers.top, path.ray.d);
+  step.transmittance = 0;
+  step.tir = true;
 }
 
 // How many bands light is split into.
@@ -251,7 +261,7 @@ Radiance Tracer::disperse(const View& view, const LayerSum& layers, const Path& 
     vec3 tint = band.hue;
     if (const auto film = bend_path(view, layers, path, c.eta(band.wavelength), ray)) tint *= *film;
     ray.wavelength = band.wavelength;
-    const Radiance r = trace(ray);
+    const Radiance r = follow(ray, false);
     sum.colour += tint * r.colour;
     sum.transmittance += r.transmittance;
   }
@@ -259,22 +269,25 @@ Radiance Tracer::disperse(const View& view, const LayerSum& layers, const Path& 
   return {sum.colour / n, sum.transmittance / n};
 }
 
-vec3 Tracer::reflect(const View& view, const LayerSum& layers, const Path& arrived,
+// The last reflection uses `arrived` up.
+vec3 Tracer::reflect(const View& view, const LayerSum& layers, Path& arrived,
                      std::size_t first, bool tir) {
   vec3 sum(0.0F);
   const std::size_t end = scratch_->reflections.size();
   for (std::size_t i = first; i < end; ++i) {
     const Reflection r = scratch_->reflections[i];  // a copy: tracing moves the stack
     if (tir && same_direction(r.n, layers.top)) continue;
-    Path path = arrived;
-    path.ray = {view.p, mirror(view.d, r.n, view.g)};
-    path.weight = r.weight;
-    path.reflected = true;
-    vec3 light = trace(path).colour;
+    const dvec3 d = mirror(view.d, r.n, view.g);
+    const auto along = [&](Path& path) {
+      path.ray = {view.p, d};
+      path.weight = r.weight;
+      path.reflected = true;
+      return follow(path, false).colour;
+    };
+    Path path;
+    vec3 light = i + 1 < end ? along(path = arrived) : along(arrived);
     const Finish& f = *r.finish;
-    if (f.irid > 0) {
-      light *= iridescence(f, view.p, glm::dot(r.n, path.ray.d), glm::dot(r.n, view.d));
-    }
+    if (f.irid > 0) light *= iridescence(f, view.p, glm::dot(r.n, d), glm::dot(r.n, view.d));
     if (f.reflection_power != 1) light = glm::pow(light, vec3(f.reflection_power));
     sum += r.rho * light;
   }

@@ -65,10 +65,7 @@ struct LampAtPoint {
 };
 
 /// One sample of a lamp of some extent.
-struct AreaSample {
-  vec3 light{0.0F};
-  bool known = false;
-};
+enum class AreaSample : std::uint8_t { unknown, lit, dark, dimmed };
 
 /// What media along a ray do to the light from its far end.
 struct MediaEffect {
@@ -99,6 +96,7 @@ struct Scratch {
   std::uint32_t noise = 0;              // state of random numbers, set anew for every sample
   std::vector<LampAtPoint> lamps;       // parallel to the scene's lights
   std::vector<AreaSample> area;         // of the lamp that is being asked
+  std::vector<vec3> area_light;         // what is left of those that are dimmed
   std::vector<Caster> casters;          // that may stand before it
   std::vector<std::uint32_t> lit;       // lamps that reach the point being lit
   std::vector<GeometryScratchPtr> projectors;
@@ -120,7 +118,9 @@ class Tracer {
   /// `alpha`: see RenderOptions.
   Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha);
 
-  [[nodiscard]] Radiance trace(const Path& path) { return follow(path, false); }
+  [[nodiscard]] Radiance trace(Path path) { return follow(path, false); }
+  /// The same; `path` is used up.
+  [[nodiscard]] Radiance trace_on(Path& path) { return follow(path, false); }
 
  private:
   friend class MediaIntegrator;
@@ -175,6 +175,7 @@ class Tracer {
   struct AreaShadow {
     const Light& light;
     const Incidence& centre;
+    AreaGrid grid;
     dvec3 p;
     const Containment& inside;
     bool collects = false;  // photons bring the light that targets bend
@@ -196,7 +197,7 @@ class Tracer {
     const SurfaceProgram* surface = nullptr;
   };
 
-  [[nodiscard]] Radiance follow(Path path, bool straight);
+  [[nodiscard]] Radiance follow(Path& path, bool straight);
   [[nodiscard]] Radiance blend(const Look& look, const Hit& hit, const Path& path);
   [[nodiscard]] Look look(const Hit& hit, dvec3 d) const;
   [[nodiscard]] ProgramId texture_at(const Hit& hit, const SurfaceProgram& surface,
@@ -254,7 +255,7 @@ class Tracer {
   [[nodiscard]] static Path inward(const View& view, const Path& path, dvec3 n, float weight);
   [[nodiscard]] Radiance disperse(const View& view, const LayerSum& layers, const Path& path,
                                   const Crossing& crossing);
-  [[nodiscard]] vec3 reflect(const View& view, const LayerSum& layers, const Path& path,
+  [[nodiscard]] vec3 reflect(const View& view, const LayerSum& layers, Path& arrived,
                              std::size_t first, bool tir);
   [[nodiscard]] vec3 attenuation(const View& view, const Path& path) const;
 
@@ -294,10 +295,14 @@ class Tracer {
   [[nodiscard]] double projected(const Light& light, const Incidence& in, dvec3 p);
   [[nodiscard]] vec3 walk_shadow(const Light& light, const Incidence& in, dvec3 p, double way,
                                  Containment inside, bool collects);
-  [[nodiscard]] bool few_casters(const Light& light, const Incidence& in, dvec3 p);
-  [[nodiscard]] dvec3 area_sample(const Light& light, int u, int v, dvec3 l);
+  // area_shadow.cpp
+  [[nodiscard]] vec3 area_shadow(const Light& light, const Incidence& in, dvec3 p,
+                                 const Containment& inside, bool collects);
+  [[nodiscard]] bool few_casters(const AreaShadow& lit);
+  [[nodiscard]] dvec2 area_place(const AreaGrid& grid, int u, int v);
   [[nodiscard]] vec3 area_corner(const AreaShadow& lit, int u, int v);
-  [[nodiscard]] vec3 area_shadow(const AreaShadow& lit, const AreaPart& part, int level);
+  [[nodiscard]] AreaSample area_sample(const AreaShadow& lit, dvec2 place, std::size_t number);
+  [[nodiscard]] vec3 area_part(const AreaShadow& lit, const AreaPart& part, int level);
   [[nodiscard]] vec3 shadow_factor(const Hit& hit, dvec3 l, const Containment& inside) const;
   [[nodiscard]] vec3 shadow_factor(const View& view, const Containment& inside) const;
 
