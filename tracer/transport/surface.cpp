@@ -4,6 +4,7 @@
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
+#include <optional>
 
 #include "tracer/shading/spectrum.h"
 #include "tracer/transport/layers.h"
@@ -88,15 +89,17 @@ Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
       sum.colour = whole.pigment;
       return vec3(0.0F);
     }
-    LayerPoint layer = whole;
     vec3 from_below(0.0F);
-    Finish above;  // what is left of the finish where light goes below
-    if (is_translucent(view, *layer.finish)) {
-      from_below = subsurface(view, path, layer);
+    std::optional<Finish> above;  // what is left of the finish where light goes below
+    std::optional<LayerPoint> left;
+    if (is_translucent(view, *whole.finish)) {
+      from_below = subsurface(view, path, whole);
       first_lit = true;  // it lights other places
-      above = without_diffuse(*layer.finish);
-      layer.finish = &above;
+      above = without_diffuse(*whole.finish);
+      left = whole;
+      left->finish = &*above;
     }
+    const LayerPoint& layer = left ? *left : whole;
     const Finish& f = *layer.finish;
     vec3 rho(0.0F);
     if (f.reflects) rho = remember_reflection(view, path, whole, sum.sigma);
@@ -152,7 +155,11 @@ vec3 Tracer::remember_reflection(const View& view, const Path& path, const Layer
                                  float sigma) {
   const Reflectivity r = reflectivity_of(view, path.inside, layer);
   if (quality_.reflection && r.rho != vec3(0.0F)) {
-    scratch_->reflections.push_back({layer.finish, layer.n, r.rho, path.weight * sigma * r.weight});
+    Reflection& later = scratch_->reflections.emplace_back();
+    later.finish = layer.finish;
+    later.n = layer.n;
+    later.rho = r.rho;
+    later.weight = path.weight * sigma * r.weight;
   }
   return r.rho;
 }
