@@ -1,6 +1,7 @@
 // Fog and rainbows: what the air does to light on a straight way (shading §7.3, §7.4).
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "base/ray.h"
@@ -59,6 +60,8 @@ struct Rainbow {
   double falloff = 0;
   double distance = 0;
   double jitter = 0;
+  double least_ahead = 0;  // cosines outside of which there is nothing for sure
+  double most_ahead = std::numeric_limits<double>::infinity();
   PigmentId colours = 0;  // at (i, 0, 0): the colour of a share i of the band's width
 };
 

@@ -35,9 +35,13 @@ Fog::Fog(const scene::Fog& in, functions::NoiseGenerator generator)
 double Fog::clarity(const Ray& ray, double depth) const {
   double x = depth;
   if (turbulent) {
-    const dvec3 middle = turbulence * ray.at(depth / 2);
-    const double stirred = functions::turbulence(middle, octaves, noise_generator) * turb_depth;
-    x *= 1 - std::exp(-depth / distance) * std::min(1.0, stirred);
+    constexpr double nothing = 1e-30;  // of which any multiple that there is leaves 1 as it is
+    const double share = std::exp(-depth / distance);
+    if (share > nothing) {
+      const dvec3 middle = turbulence * ray.at(depth / 2);
+      const double stirred = functions::turbulence(middle, octaves, noise_generator) * turb_depth;
+      x *= 1 - share * std::min(1.0, stirred);
+    }
   }
   if (kind == scene::Fog::Kind::ground) {
     const auto height = [&](double t) { return (glm::dot(ray.at(t), up) - offset) / alt; };

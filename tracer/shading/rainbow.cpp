@@ -2,6 +2,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <numbers>
 
 #include "tracer/patterns/patterns.h"
 #include "tracer/random.h"
@@ -34,6 +35,14 @@ Rainbow compile_rainbow(const scene::Rainbow& in, PigmentStore& pigments) {
   bow.falloff = glm::radians(in.falloff_angle_deg / 2);
   bow.distance = in.distance;
   bow.jitter = in.jitter;
+  if (bow.jitter <= 0 && bow.width > 0) {
+    constexpr double margin = 1e-6;  // for rounding
+    const auto cosine = [](double angle) {
+      return std::cos(std::clamp(angle, 0.0, std::numbers::pi));
+    };
+    bow.least_ahead = std::max(0.0, cosine(bow.inner + bow.width) - margin);
+    if (bow.inner > 0) bow.most_ahead = cosine(bow.inner) + margin;
+  }
   bow.colours = pigments.add(along_x(in.colours), {});
   return bow;
 }
@@ -55,7 +64,7 @@ Atmosphere::Atmosphere(const scene::Scene& scene) : pigments_(scene.settings) {
 bool Atmosphere::band(const Rainbow& bow, dvec3 d, double depth, std::uint32_t& noise,
                       Veil& out) const {
   const double ahead = glm::dot(d, bow.direction);
-  if (ahead < 0) return false;
+  if (ahead < bow.least_ahead || ahead > bow.most_ahead) return false;
   const double x = glm::dot(d, bow.right);
   const double y = glm::dot(d, bow.up);
   const double length = std::hypot(x, y);
