@@ -23,7 +23,8 @@ durer_library(tracer
   LINKS durer::geometry durer::scene durer::functions
   PRIVATE_LINKS TBB::tbb fmt::fmt)
 # Wide vectors are only passed to what becomes part of its caller.
-set_source_files_properties(transport/photon_search.cpp PROPERTIES COMPILE_OPTIONS -Wno-psabi)
+set_source_files_properties(transport/irradiance_cache.cpp transport/photon_search.cpp
+  PROPERTIES COMPILE_OPTIONS -Wno-psabi)
 if(TARGET durer::image)
   target_link_libraries(durer_tracer PUBLIC durer::image)
 endif()
