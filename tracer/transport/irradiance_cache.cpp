@@ -58,6 +58,23 @@ DURER_INLINE std::uint64_t IrradianceCache::cell(std::uint32_t depth, int level,
   return h;
 }
 
+// The other half of the hash than the one that chooses a slot.
+void IrradianceCache::mark(std::uint64_t cell) {
+  const std::uint64_t bit = cell >> 32 & (64 * marks_.size() - 1);
+  marks_[bit / 64] |= std::uint64_t{1} << bit % 64;
+}
+DURER_INLINE bool IrradianceCache::is_marked(std::uint64_t cell) const {
+  const std::uint64_t bit = cell >> 32 & (64 * marks_.size() - 1);
+  return (marks_[bit / 64] >> bit % 64 & 1U) != 0;
+}
+
+DURER_INLINE std::uint32_t IrradianceCache::first_in(std::uint64_t cell) const {
+  if (slots_.empty() || !is_marked(cell)) return nothing;
+  std::size_t i = cell & (slots_.size() - 1);
+  while (slots_[i].first != nothing && slots_[i].cell != cell) i = (i + 1) & (slots_.size() - 1);
+  return slots_[i].first;
+}
+
 void IrradianceCache::add(const IrradianceSample& sample, double reach) {
   const auto id = static_cast<std::uint32_t>(samples_.size());
   samples_.push_back(sample);
@@ -142,15 +159,27 @@ DURER_INLINE unsigned IrradianceCache::near_lanes(const Block& block, const Look
 
 DURER_INLINE void IrradianceCache::look_into_all(const IrradianceQuery& query,
                                                  IrradianceSum& sum) const {
-  const bool enough = sum.weight >= query.plenty;
-  Look look{query.p, vec3(query.n), static_cast<float>(query.error), 0};
+  struct Cell {
+    std::uint32_t first;
+    float side;
+  };
+  std::array<Cell, levels> cells;
+  std::size_t count = 0;
+  // All levels are looked up before any block is opened, so that the processor need not wait for one
+  // after the other.
   for (std::uint64_t left = levels_used_[query.depth]; left != 0; left &= left - 1) {
     const int level = std::countr_zero(left);
     // 2 to the power of what is missing to the level whose cells have side 1.
     const auto scale = std::bit_cast<double>(std::uint64_t(1023 + level_of_one - level) << 52);
-    look.side = static_cast<float>(1 / scale);
-    for (std::uint32_t at = first_in(cell(query.depth, level, query.p * scale)); at != nothing;
-         at = blocks_[at].next) {
+    const std::uint32_t first = first_in(cell(query.depth, level, query.p * scale));
+    cells[count] = {first, static_cast<float>(1 / scale)};
+    count += first != nothing ? 1 : 0;
+  }
+  const bool enough = sum.weight >= query.plenty;
+  Look look{query.p, vec3(query.n), static_cast<float>(query.error), 0};
+  for (std::size_t i = 0; i < count; ++i) {
+    look.side = cells[i].side;
+    for (std::uint32_t at = cells[i].first; at != nothing; at = blocks_[at].next) {
       const Block& block = blocks_[at];
       // Who has enough already hears one more, whoever that is.
       unsigned lanes_left = enough ? 1U << block.open : near_lanes(block, look);
@@ -184,6 +213,7 @@ void IrradianceCache::clear() {
   samples_.clear();
   blocks_.clear();
   std::fill(slots_.begin(), slots_.end(), Slot{});
+  std::fill(marks_.begin(), marks_.end(), 0U);
   used_ = 0;
   levels_used_ = {};
 }
@@ -194,26 +224,22 @@ std::uint32_t& IrradianceCache::first_in(std::uint64_t cell) {
   while (slots_[i].first != nothing && slots_[i].cell != cell) i = (i + 1) & (slots_.size() - 1);
   if (slots_[i].first == nothing) {
     slots_[i].cell = cell;
+    mark(cell);
     ++used_;
   }
-  return slots_[i].first;
-}
-
-std::uint32_t IrradianceCache::first_in(std::uint64_t cell) const {
-  if (slots_.empty()) return nothing;
-  std::size_t i = cell & (slots_.size() - 1);
-  while (slots_[i].first != nothing && slots_[i].cell != cell) i = (i + 1) & (slots_.size() - 1);
   return slots_[i].first;
 }
 
 void IrradianceCache::grow() {
   std::vector<Slot> old(std::max<std::size_t>(64, 2 * slots_.size()));
   old.swap(slots_);
+  marks_.assign(slots_.size() / 16, 0);  // eight bits for a cell, at least
   for (const Slot& s : old) {
     if (s.first == nothing) continue;
     std::size_t i = s.cell & (slots_.size() - 1);
     while (slots_[i].first != nothing) i = (i + 1) & (slots_.size() - 1);
     slots_[i] = s;
+    mark(s.cell);
   }
 }
 

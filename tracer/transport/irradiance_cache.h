@@ -70,14 +70,15 @@ class IrradianceCache {
   };
   // Some of the samples of a cell, the latest first. Lanes are taken from the last to the first; those
   // that are not yet are infinitely far away.
-  struct Block {
+  struct alignas(64) Block {
     std::array<Eight, 3> p;  // from the origin
-    Eight radius, nearest;
-    std::array<Eight, 3> to_nearest, n;
-    std::array<std::uint32_t, lanes> sample;
+    Eight radius;
     dvec3 origin;
     std::uint32_t next;  // of earlier ones
     std::uint32_t open;  // lanes
+    std::array<std::uint32_t, lanes> sample;
+    std::array<Eight, 3> n, to_nearest;
+    Eight nearest;
   };
   // A question as blocks of a level see it.
   struct Look;
@@ -89,11 +90,14 @@ class IrradianceCache {
   void look_wide(const IrradianceQuery& query, IrradianceSum& sum) const;
   [[nodiscard]] std::uint32_t& first_in(std::uint64_t cell);
   [[nodiscard]] std::uint32_t first_in(std::uint64_t cell) const;
+  void mark(std::uint64_t cell);
+  [[nodiscard]] bool is_marked(std::uint64_t cell) const;
   void grow();
 
   std::vector<IrradianceSample> samples_;
   std::vector<Block> blocks_;
   std::vector<Slot> slots_;  // open addressing; a power of two
+  std::vector<std::uint64_t> marks_;  // a bit for every cell: most questions need to see no more
   std::size_t used_ = 0;
   std::array<std::uint64_t, max_depth + 1> levels_used_{};  // bits
 };
