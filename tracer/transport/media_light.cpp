@@ -1,0 +1,83 @@
+// Light of lamps that media scatter along a ray (participating-and-global §1.10).
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "tracer/transport/media.h"
+
+namespace durer::tracer {
+
+// Light of all lamps that shine on `p`, by their directions.
+vec3 MediaIntegrator::scattered(double t, dvec3 p) {
+  vec3 sum(0.0F);
+  for (std::size_t i = 0; i < scratch_.lamp_spans.size(); ++i) {
+    const LampSpan& span = scratch_.lamp_spans[i];
+    if (t < span.from || t > span.to) continue;
+    const Light& light = scene_.lights[span.light];
+    const Incidence in = incidence(light, p);
+    if (dark(in.colour)) continue;
+    const vec3 light_there = arriving(i, light, in, p);
+    if (dark(light_there)) continue;
+    sum += static_cast<float>(mean_phase(glm::dot(ray_.d, in.l))) * light_there;
+  }
+  return sum;
+}
+
+// The oracle takes the mean of all media, whether they scatter or not.
+double MediaIntegrator::mean_phase(double cosine) const {
+  double factor = 0;
+  for (std::uint32_t i = first_; i < end_; ++i) factor += phase_factor(media(i), cosine);
+  return factor / (end_ - first_);
+}
+
+vec3 MediaIntegrator::arriving(std::size_t span, const Light& light, const Incidence& in,
+                               dvec3 p) {
+  const Tracer::Receiver receiver{setting_.gathering, collects_};
+  if (scratch_.lamp_spans[span].casters == LampSpan::Casters::unknown) find_casters(span, light);
+  if (scratch_.lamp_spans[span].casters == LampSpan::Casters::many) {
+    return tracer_.shadowed(light, in, p, setting_.inside, receiver);
+  }
+  return tracer_.shadowed_by(scratch_.lamp_casters[span], light, in, p, setting_.inside, receiver);
+}
+
+// Shadow rays from one ray to one lamp lie in a triangle. Mostly nothing is in there.
+void MediaIntegrator::find_casters(std::size_t index, const Light& light) {
+  constexpr int worthwhile = 8;  // shadow rays that cost as much
+  LampSpan& span = scratch_.lamp_spans[index];
+  span.casters = LampSpan::Casters::many;
+  if (leader_->method != 3 && leader_->intervals * leader_->min_samples < worthwhile) return;
+  if (light.has_area && !setting_.gathering) return;
+  if (scratch_.lamp_casters.size() <= index) scratch_.lamp_casters.resize(index + 1);
+  if (tracer_.few_casters(light, ray_, span.from, last_sample(span), scratch_.lamp_casters[index])) {
+    span.casters = LampSpan::Casters::few;
+  }
+}
+
+// The end of a span or, if that is the surface where the ray ends, a place before that which no sample
+// of method 3 is beyond: so that the surface is no caster.
+double MediaIntegrator::last_sample(const LampSpan& span) const {
+  if (leader_->method != 3 || span.to < length_) return span.to;
+  const auto parts = static_cast<int>(scratch_.lit_parts.size());
+  const double last_interval = (span.to - span.from) / std::max(leader_->intervals, parts);
+  return span.to - last_interval * left_out();
+}
+
+// Finds all that could stand between a piece of a ray and a lamp.
+bool Tracer::few_casters(const Light& light, const Ray& ray, double from, double to,
+                         std::vector<Caster>& out) const {
+  if (light.parallel || light.projector != scene::none) return false;
+  if (light.dimmed_by_air && dims()) return false;
+  return scene_->geometry.casters(Sheet({light.position, ray.at(from), ray.at(to)}), out);
+}
+
+// The same as `shadowed`, where only `casters` can be in the way of a lamp that is a point.
+vec3 Tracer::shadowed_by(std::span<Caster> casters, const Light& light, const Incidence& in,
+                         dvec3 p, const Containment& inside, Receiver receiver) {
+  if (casters.empty() || in.distance <= 2 * t_shadow) return in.colour;
+  const Geometry::Way way = scene_->geometry.way_between(
+      casters, {p, in.l}, t_shadow, in.distance - t_shadow, *scratch_->geometry);
+  if (way == Geometry::Way::unknown) return shadowed(light, in, p, inside, receiver);
+  ++scratch_->rays;
+  return way == Geometry::Way::blocked && quality_.shadows ? vec3(0.0F) : in.colour;
+}
+
+}  // namespace durer::tracer
