@@ -114,6 +114,7 @@ void MediaIntegrator::find_leader() {
     scatters_ = scatters_ || m.scatters;
     dims_ = dims_ || m.dims;
     collects_ = collects_ || m.collects;
+    isotropic_ = isotropic_ && m.phase == scene::Phase::isotropic;
   }
   matter_ = {};
   for (std::uint32_t i = first_; i < end_ && !varies_; ++i) {

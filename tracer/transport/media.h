@@ -66,7 +66,7 @@ class MediaIntegrator {
   void find_matter(std::span<const dvec3> points, Matter* out) const;
   [[nodiscard]] Sample dimmed(const Interval& interval, double u);
   [[nodiscard]] vec3 scattered(double t, dvec3 p);
-  [[nodiscard]] vec3 arriving(std::size_t span, const Light& light, const Incidence& in, dvec3 p);
+  [[nodiscard]] vec3 arriving(std::size_t index, const Light& light, const Incidence& in, dvec3 p);
   void find_casters(std::size_t span, const Light& light);
   [[nodiscard]] double last_sample(const LampSpan& span) const;
   [[nodiscard]] double left_out() const;
@@ -91,6 +91,7 @@ class MediaIntegrator {
   bool scatters_ = false;
   bool dims_ = false;
   bool collects_ = false;
+  bool isotropic_ = true;
   Matter matter_;  // everywhere, if nothing varies
   bool has_photons_ = false;  // that may light these media
 };

@@ -24,19 +24,23 @@ vec3 MediaIntegrator::scattered(double t, dvec3 p) {
 
 // The oracle takes the mean of all media, whether they scatter or not.
 double MediaIntegrator::mean_phase(double cosine) const {
+  if (isotropic_) return 1;
   double factor = 0;
   for (std::uint32_t i = first_; i < end_; ++i) factor += phase_factor(media(i), cosine);
   return factor / (end_ - first_);
 }
 
-vec3 MediaIntegrator::arriving(std::size_t span, const Light& light, const Incidence& in,
+vec3 MediaIntegrator::arriving(std::size_t index, const Light& light, const Incidence& in,
                                dvec3 p) {
+  using Casters = LampSpan::Casters;
+  const LampSpan& span = scratch_.lamp_spans[index];
+  if (span.casters == Casters::unknown) find_casters(index, light);
+  if (span.casters == Casters::none) return in.colour;
   const Tracer::Receiver receiver{setting_.gathering, collects_};
-  if (scratch_.lamp_spans[span].casters == LampSpan::Casters::unknown) find_casters(span, light);
-  if (scratch_.lamp_spans[span].casters == LampSpan::Casters::many) {
+  if (span.casters == Casters::many) {
     return tracer_.shadowed(light, in, p, setting_.inside, receiver);
   }
-  return tracer_.shadowed_by(scratch_.lamp_casters[span], light, in, p, setting_.inside, receiver);
+  return tracer_.shadowed_by(scratch_.lamp_casters[index], light, in, p, setting_.inside, receiver);
 }
 
 // Shadow rays from one ray to one lamp lie in a triangle. Mostly nothing is in there.
@@ -47,9 +51,9 @@ void MediaIntegrator::find_casters(std::size_t index, const Light& light) {
   if (leader_->method != 3 && leader_->intervals * leader_->min_samples < worthwhile) return;
   if (light.has_area && !setting_.gathering) return;
   if (scratch_.lamp_casters.size() <= index) scratch_.lamp_casters.resize(index + 1);
-  if (tracer_.few_casters(light, ray_, span.from, last_sample(span), scratch_.lamp_casters[index])) {
-    span.casters = LampSpan::Casters::few;
-  }
+  std::vector<Caster>& casters = scratch_.lamp_casters[index];
+  if (!tracer_.few_casters(light, ray_, span.from, last_sample(span), casters)) return;
+  span.casters = casters.empty() ? LampSpan::Casters::none : LampSpan::Casters::few;
 }
 
 // The end of a span or, if that is the surface where the ray ends, a place before that which no sample
@@ -72,7 +76,7 @@ bool Tracer::few_casters(const Light& light, const Ray& ray, double from, double
 // The same as `shadowed`, where only `casters` can be in the way of a lamp that is a point.
 vec3 Tracer::shadowed_by(std::span<Caster> casters, const Light& light, const Incidence& in,
                          dvec3 p, const Containment& inside, Receiver receiver) {
-  if (casters.empty() || in.distance <= 2 * t_shadow) return in.colour;
+  if (in.distance <= 2 * t_shadow) return in.colour;
   const Geometry::Way way = scene_->geometry.way_between(
       casters, {p, in.l}, t_shadow, in.distance - t_shadow, *scratch_->geometry);
   if (way == Geometry::Way::unknown) return shadowed(light, in, p, inside, receiver);

@@ -147,24 +147,24 @@ void MediaIntegrator::fill(const Interval& interval, std::span<Sample> samples) 
       points[i] = ray_.at(t[i]);
     }
     std::array<Matter, most> matter;
-    find_matter(std::span(points).first(some.size()), matter.data());
+    if (varies_) find_matter(std::span(points).first(some.size()), matter.data());
     for (std::size_t i = 0; i < some.size(); ++i) {
-      Matter& m = matter[i];
+      const Matter& m = varies_ ? matter[i] : matter_;
       some[i].depth = m.extinction * length;
       if (setting_.shadow) continue;
+      vec3 light = m.emission;
       if (!black(m.scattering)) {
-        if (interval.lit) m.emission += m.scattering * scattered(t[i], points[i]);
-        if (has_photons_) m.emission += m.scattering * photons_at(points[i]);
+        if (interval.lit) light += m.scattering * scattered(t[i], points[i]);
+        if (has_photons_) light += m.scattering * photons_at(points[i]);
       }
-      some[i].colour = m.emission * length;
+      some[i].colour = light * length;
     }
   }
 }
 
 // Of at most MediaStore::most_points.
 void MediaIntegrator::find_matter(std::span<const dvec3> points, Matter* out) const {
-  std::fill_n(out, points.size(), matter_);
-  if (!varies_) return;
+  std::fill_n(out, points.size(), Matter());
   for (std::uint32_t i = first_; i < end_; ++i) {
     const MediaProgram& m = media(i);
     if (setting_.shadow && !m.dims) continue;

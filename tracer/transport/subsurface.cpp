@@ -91,7 +91,8 @@ vec3 Tracer::subsurface(const View& view, const Path& path, const LayerPoint& la
   ++scratch_->below;
   vec3 seen(diffused(body));
   if (Below below; look_below(body, below)) {
-    seen += vec3(scattered_once(body, below)) + unscattered(body, below);
+    seen += vec3(scattered_once(body, below));  // one after the other: both draw random numbers
+    seen += unscattered(body, below);
   }
   --scratch_->below;
   return layer.opacity * seen;

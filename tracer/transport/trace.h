@@ -84,7 +84,7 @@ struct LampSpan {
   double to = 0;
   /// What can stand between that stretch and the lamp: Scratch::lamp_casters of the same number has it
   /// if it is `few`.
-  enum class Casters : std::uint8_t { unknown, few, many };
+  enum class Casters : std::uint8_t { unknown, none, few, many };
   Casters casters = Casters::unknown;
 };
 /// A part of a ray that some lamp shines on, or none.
