@@ -1,6 +1,7 @@
 #include "tracer/shading/media.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "tracer/chi_square.h"

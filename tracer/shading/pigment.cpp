@@ -1,6 +1,7 @@
 #include "tracer/shading/pigment.h"
 
 #include <algorithm>
+#include <array>
 
 #include "tracer/patterns/map_search.h"
 

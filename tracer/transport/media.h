@@ -65,7 +65,7 @@ class MediaIntegrator {
   void fill(const Interval& interval, std::span<Sample> samples);
   void find_matter(std::span<const dvec3> points, Matter* out) const;
   [[nodiscard]] Sample dimmed(const Interval& interval, double u);
-  [[nodiscard]] vec3 scattered(double t, dvec3 p);
+  void add_scattered(const double* t, std::span<const dvec3> points, Matter* matter);
   [[nodiscard]] vec3 arriving(std::size_t index, const Light& light, const Incidence& in, dvec3 p);
   void find_casters(std::size_t span, const Light& light);
   [[nodiscard]] double last_sample(const LampSpan& span) const;

@@ -1,25 +1,39 @@
 // Light of lamps that media scatter along a ray (participating-and-global §1.10).
 #include <algorithm>
+#include <array>
 #include <glm/geometric.hpp>
 
 #include "tracer/transport/media.h"
 
 namespace durer::tracer {
 
-// Light of all lamps that shine on `p`, by their directions.
-vec3 MediaIntegrator::scattered(double t, dvec3 p) {
-  vec3 sum(0.0F);
-  for (std::size_t i = 0; i < scratch_.lamp_spans.size(); ++i) {
-    const LampSpan& span = scratch_.lamp_spans[i];
-    if (t < span.from || t > span.to) continue;
+// Light of all lamps that shine on points of the ray, at `t`, by their directions. Lamp by lamp, for
+// what comes of one point does not wait for what comes of another.
+void MediaIntegrator::add_scattered(const double* t, std::span<const dvec3> points,
+                                    Matter* matter) {
+  constexpr std::size_t most = MediaStore::most_points;
+  std::array<std::size_t, most> lit;
+  std::array<Incidence, most> in;
+  std::array<vec3, most> sum{};
+  for (std::size_t k = 0; k < scratch_.lamp_spans.size(); ++k) {
+    const LampSpan& span = scratch_.lamp_spans[k];
     const Light& light = scene_.lights[span.light];
-    const Incidence in = incidence(light, p);
-    if (dark(in.colour)) continue;
-    const vec3 light_there = arriving(i, light, in, p);
-    if (dark(light_there)) continue;
-    sum += static_cast<float>(mean_phase(glm::dot(ray_.d, in.l))) * light_there;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (t[i] < span.from || t[i] > span.to || matter[i].scattering == vec3(0.0F)) continue;
+      lit[count] = i;
+      in[count++] = incidence(light, points[i]);
+    }
+    for (std::size_t j = 0; j < count; ++j) {
+      if (dark(in[j].colour)) continue;
+      const vec3 light_there = arriving(k, light, in[j], points[lit[j]]);
+      if (dark(light_there)) continue;
+      sum[lit[j]] += static_cast<float>(mean_phase(glm::dot(ray_.d, in[j].l))) * light_there;
+    }
   }
-  return sum;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    matter[i].emission += matter[i].scattering * sum[i];
+  }
 }
 
 // The oracle takes the mean of all media, whether they scatter or not.

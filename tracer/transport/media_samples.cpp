@@ -1,5 +1,6 @@
 // Samples of media along an interval (participating-and-global §1.9): many are looked at together.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/exponential.hpp>
 
@@ -147,17 +148,16 @@ void MediaIntegrator::fill(const Interval& interval, std::span<Sample> samples) 
       points[i] = ray_.at(t[i]);
     }
     std::array<Matter, most> matter;
-    if (varies_) find_matter(std::span(points).first(some.size()), matter.data());
+    const auto some_points = std::span<const dvec3>(points).first(some.size());
+    if (varies_) find_matter(some_points, matter.data());
+    if (!varies_) std::fill_n(matter.data(), some.size(), matter_);
+    if (interval.lit && scatters_) add_scattered(t.data(), some_points, matter.data());
     for (std::size_t i = 0; i < some.size(); ++i) {
-      const Matter& m = varies_ ? matter[i] : matter_;
+      Matter& m = matter[i];
       some[i].depth = m.extinction * length;
       if (setting_.shadow) continue;
-      vec3 light = m.emission;
-      if (!black(m.scattering)) {
-        if (interval.lit) light += m.scattering * scattered(t[i], points[i]);
-        if (has_photons_) light += m.scattering * photons_at(points[i]);
-      }
-      some[i].colour = light * length;
+      if (has_photons_ && !black(m.scattering)) m.emission += m.scattering * photons_at(points[i]);
+      some[i].colour = m.emission * length;
     }
   }
 }
