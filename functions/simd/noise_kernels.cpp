@@ -278,36 +278,39 @@ DURER_INLINE dvec3 vturbulence_of(dvec3 p, const Octaves& o) {
   });
   return to_vector(value);
 }
-/// Four points at a time: no lane is idle, whatever the number of octaves is.
+/// Up to four points, with a lane each: none is idle, whatever the number of octaves is.
+template <class Quad>
+DURER_INLINE void four_vturbulences(const dvec3* p, int count, const Octaves& o, dvec3* out) {
+  alignas(32) double c[3][4] = {};
+  for (int i = 0; i < count; ++i) {
+    for (int axis = 0; axis < 3; ++axis) c[axis][i] = p[i][axis];
+  }
+  const auto all = [](double v) DURER_LAMBDA_INLINE { return Quad::of(v, v, v, v); };
+  const Quad place[3] = {Quad::load(c[0]), Quad::load(c[1]), Quad::load(c[2])};
+  Quad sum[3] = {all(0), all(0), all(0)};
+  double frequency = 1;
+  double weight = 1;
+  for (int octave = 0; octave < o.count; ++octave) {
+    for (int axis = 0; axis < 3; ++axis) (all(frequency) * place[axis]).store(c[axis]);
+    const VectorNoises<Quad> noises(c, count);
+    sum[0] = sum[0] + all(weight) * noises.x;
+    sum[1] = sum[1] + all(weight) * noises.y;
+    sum[2] = sum[2] + all(weight) * noises.z;
+    frequency *= o.lambda;
+    weight *= o.omega;
+  }
+  for (int axis = 0; axis < 3; ++axis) sum[axis].store(c[axis]);
+  for (int i = 0; i < count; ++i) out[i] = {c[0][i], c[1][i], c[2][i]};
+}
 template <class Quad>
 DURER_INLINE void vturbulence_many_of(const dvec3* p, std::size_t n, const Octaves& o,
                                       dvec3* out) {
-  for (std::size_t done = 0; done < n; done += 4) {
-    const int count = n - done < 4 ? static_cast<int>(n - done) : 4;
-    if (count == 1) {
-      out[done] = vturbulence_of<Quad>(p[done], o);
-      return;
-    }
-    alignas(32) double c[3][4] = {};
-    for (int i = 0; i < count; ++i) {
-      for (int axis = 0; axis < 3; ++axis) c[axis][i] = p[done + i][axis];
-    }
-    const auto all = [](double v) DURER_LAMBDA_INLINE { return Quad::of(v, v, v, v); };
-    const Quad place[3] = {Quad::load(c[0]), Quad::load(c[1]), Quad::load(c[2])};
-    Quad sum[3] = {all(0), all(0), all(0)};
-    double frequency = 1;
-    double weight = 1;
-    for (int octave = 0; octave < o.count; ++octave) {
-      for (int axis = 0; axis < 3; ++axis) (all(frequency) * place[axis]).store(c[axis]);
-      const VectorNoises<Quad> noises(c, count);
-      sum[0] = sum[0] + all(weight) * noises.x;
-      sum[1] = sum[1] + all(weight) * noises.y;
-      sum[2] = sum[2] + all(weight) * noises.z;
-      frequency *= o.lambda;
-      weight *= o.omega;
-    }
-    for (int axis = 0; axis < 3; ++axis) sum[axis].store(c[axis]);
-    for (int i = 0; i < count; ++i) out[done + i] = {c[0][i], c[1][i], c[2][i]};
+  std::size_t done = 0;
+  for (; n - done >= 4; done += 4) four_vturbulences<Quad>(p + done, 4, o, out + done);
+  if (n - done == 1) {
+    out[done] = vturbulence_of<Quad>(p[done], o);
+  } else if (n > done) {
+    four_vturbulences<Quad>(p + done, static_cast<int>(n - done), o, out + done);
   }
 }
 /// Sum of the octaves' sizes, component by component, each half of the one before.

@@ -49,11 +49,9 @@ TEST_CASE("casters: those of a sheet answer as the whole scene does", "[accel][s
   }
   b.show(primitive("plane", {0, 1, 0, -4}));
   b.show(primitive("box", {-9, -9, -9, 9, 9, 9}));  // around everything
-  Diagnostics diagnostics;
-  auto geometry = Geometry::build(b.scene, diagnostics);
-  REQUIRE(geometry);
-  geometry->set_opaque(std::vector<bool>(geometry->surfaces().size(), true));
-  const auto scratch = geometry->make_scratch();
+  Geometry geometry = b.build();
+  geometry.set_opaque(std::vector<bool>(geometry.surfaces().size(), true));
+  const auto scratch = geometry.make_scratch();
   std::vector<Caster> casters;
   int blocked = 0;
   int none = 0;
@@ -61,14 +59,14 @@ TEST_CASE("casters: those of a sheet answer as the whole scene does", "[accel][s
     const dvec3 lamp = point_in_cube(random, 5);
     const dvec3 from = point_in_cube(random, 5);
     const dvec3 to = point_in_cube(random, 5);
-    if (!geometry->casters(Sheet({lamp, from, to}), casters)) continue;
+    if (!geometry.casters(Sheet({lamp, from, to}), casters)) continue;
     if (casters.empty()) ++none;
     for (int k = 0; k < 8; ++k) {
       const dvec3 p = from + uniform(random, 0, 1) * (to - from);
       const double way = glm::length(lamp - p);
       const Ray ray{p, (lamp - p) / way};
-      const bool dark = geometry->occluded(ray, t_shadow, way - t_shadow, *scratch);
-      const auto found = geometry->way_between(casters, ray, t_shadow, way - t_shadow, *scratch);
+      const bool dark = geometry.occluded(ray, t_shadow, way - t_shadow, *scratch);
+      const auto found = geometry.way_between(casters, ray, t_shadow, way - t_shadow, *scratch);
       REQUIRE((found == Geometry::Way::blocked) == dark);
       if (dark) ++blocked;
     }
