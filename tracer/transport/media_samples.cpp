@@ -49,7 +49,6 @@ MediaIntegrator::Sample MediaIntegrator::adaptive(const Interval& interval) {
     const double shake = m.jitter == 0 ? 0 : step * m.jitter * (random() - 0.5);
     all.places.push_back({j * step + shake});
   }
-  fill(interval, all.places);
   for (std::uint32_t j = 1; j <= steps; ++j) {
     all.stretches.push_back({.from = (j - 1) * step, .to = j * step, .first = j - 1, .last = j});
   }
@@ -65,14 +64,14 @@ MediaIntegrator::Sample MediaIntegrator::adaptive(const Interval& interval) {
   return {0, sum.colour / count, sum.depth / count};
 }
 
-// Looks at the middle of every stretch, then of all halves whose ends differ, and so on. Returns the
-// first of those that are not to be divided any more.
+// Looks at the ends and the middle of every stretch, then at the middles of all halves whose ends
+// differ, and so on. Returns the first of those that are not to be divided any more.
 std::size_t MediaIntegrator::divide(const Interval& interval, MediaSamples& all) {
   const double jitter = leader_->jitter;
   std::size_t begin = 0;
+  std::size_t known = 0;
   for (int level = leader_->aa_level - 1; begin < all.stretches.size(); --level) {
     const std::size_t end = all.stretches.size();
-    const std::size_t known = all.places.size();
     for (std::size_t i = begin; i < end; ++i) {
       MediaStretch& s = all.stretches[i];
       const double mid = (s.from + s.to) / 2;
@@ -81,6 +80,7 @@ std::size_t MediaIntegrator::divide(const Interval& interval, MediaSamples& all)
           {jitter == 0 ? mid : mid + jitter * (s.to - s.from) * (random() - 0.5)});
     }
     fill(interval, std::span(all.places).subspan(known));
+    known = all.places.size();
     if (level <= 0) return begin;
     for (std::size_t i = begin; i < end; ++i) halve(all, i);
     begin = end;

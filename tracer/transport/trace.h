@@ -335,7 +335,7 @@ class Tracer {
   [[nodiscard]] MediaEffect media_along(const Path& path, double depth, const Hit* hit);
   [[nodiscard]] vec3 light_through_bodies(const Ray& ray, double depth, const Containment& inside);
   [[nodiscard]] vec3 light_through_air(const Ray& ray, double depth, const Containment& inside);
-  // media_light.cpp
+  // media_scattering.cpp
   [[nodiscard]] bool few_casters(const Light& light, const Ray& ray, double from, double to,
                                  std::vector<Caster>& out) const;
   [[nodiscard]] vec3 shadowed_by(std::span<Caster> casters, const Light& light, const Incidence& in,
