@@ -177,7 +177,7 @@ class Geometry {
   bool casters(const Sheet& sheet, std::vector<Caster>& out) const;
   /// What is in the way of light.
   enum class Way : std::uint8_t { open, blocked, unknown };
-  /// Of a ray in t_from < t < t_to, where only `among` can be there: `unknown` if it comes near somebody
+  /// Of a ray in t_from < t < t_to, where only `among` can be: `unknown` if it comes near somebody
   /// who may let light through.
   [[nodiscard]] Way way_between(std::span<Caster> among, const Ray& ray, double t_from, double t_to,
                                 GeometryScratch& scratch) const;

@@ -40,9 +40,9 @@ struct Translucency {
 /// the transmission of the surface at both places.
 [[nodiscard]] dvec3 diffuse_transport(const Translucency& matter, double distance);
 
-/// Depths, along the view below a surface, where light may have been scattered once: random ones, dense
-/// where much of it comes from. Light is dimmed on its way out, and counts as dimmed once more (as the
-/// oracle has it), so they thin out by the square of that.
+/// Depths, along the view below a surface, where light may have been scattered once: random ones,
+/// dense where much of it comes from. Light is dimmed on its way out, and counts as dimmed once more
+/// (as the oracle has it), so they thin out by the square of that.
 class SingleDepths {
  public:
   /// `length`: in mm, positive.

@@ -76,8 +76,7 @@ std::size_t MediaIntegrator::divide(const Interval& interval, MediaSamples& all)
       MediaStretch& s = all.stretches[i];
       const double mid = (s.from + s.to) / 2;
       s.middle = static_cast<std::uint32_t>(all.places.size());
-      all.places.push_back(
-          {jitter == 0 ? mid : mid + jitter * (s.to - s.from) * (random() - 0.5)});
+      all.places.push_back({jitter == 0 ? mid : mid + jitter * (s.to - s.from) * (random() - 0.5)});
     }
     fill(interval, std::span(all.places).subspan(known));
     known = all.places.size();

@@ -7,7 +7,7 @@
 
 namespace durer::tracer {
 
-// Light of all lamps that shine on points of the ray, at `t`, by their directions. Lamp by lamp, for
+// Light of all lamps that shine on points of the ray, at `t`, by their directions. Lamp by lamp:
 // what comes of one point does not wait for what comes of another.
 void MediaIntegrator::add_scattered(const double* t, std::span<const dvec3> points,
                                     Matter* matter) {
@@ -70,8 +70,8 @@ void MediaIntegrator::find_casters(std::size_t index, const Light& light) {
   span.casters = casters.empty() ? LampSpan::Casters::none : LampSpan::Casters::few;
 }
 
-// The end of a span or, if that is the surface where the ray ends, a place before that which no sample
-// of method 3 is beyond: so that the surface is no caster.
+// The end of a span or, if that is the surface where the ray ends, a place before that which no
+// sample of method 3 is beyond: so that the surface is no caster.
 double MediaIntegrator::last_sample(const LampSpan& span) const {
   if (leader_->method != 3 || span.to < length_) return span.to;
   const auto parts = static_cast<int>(scratch_.lit_parts.size());

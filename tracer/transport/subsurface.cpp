@@ -190,8 +190,8 @@ bool Tracer::look_below(const Body& body, Below& below) {
                                   *scratch_->geometry);
 }
 
-// Where the view is scattered towards a lamp, light of that may have come in. A place serves all three
-// colours: each proposes some, by chance in turn, and the others take them by what they are worth.
+// Where the view is scattered towards a lamp, light of that may have come in. A place serves all
+// three colours: each proposes some, in turn, and the others take them by what they are worth.
 dvec3 Tracer::scattered_once(const Body& body, const Below& below) {
   const double inner_cosine = std::abs(glm::dot(below.ray.d, body.view.g));
   const SingleDepths depths(body.matter, below.end.t * body.mm);

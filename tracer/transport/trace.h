@@ -82,8 +82,8 @@ struct LampSpan {
   std::uint32_t light = 0;
   double from = 0;
   double to = 0;
-  /// What can stand between that stretch and the lamp: Scratch::lamp_casters of the same number has it
-  /// if it is `few`.
+  /// What can stand between that stretch and the lamp; if `few`, Scratch::lamp_casters of the same
+  /// number has it.
   enum class Casters : std::uint8_t { unknown, none, few, many };
   Casters casters = Casters::unknown;
 };

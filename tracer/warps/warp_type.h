@@ -48,8 +48,8 @@ concept Validates = requires(std::span<const double> args) { W::validate(args); 
 }  // namespace detail
 
 /// Describes the warp W: default members, `operands`, an optional `prepare()`, an optional
-/// `validate` (TypeInfo), and `dvec3 operator()(dvec3) const`; `void move(std::span<dvec3>) const` if
-/// several points at a time are faster.
+/// `validate` (TypeInfo), and `dvec3 operator()(dvec3) const`; `void move(std::span<dvec3>) const`
+/// if several points at a time are faster.
 template <typename W>
 constexpr WarpType describe_warp(std::string_view name, std::string_view doc) {
   WarpType type;

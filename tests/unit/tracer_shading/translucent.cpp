@@ -38,7 +38,7 @@ TEST_CASE("translucent: what comes out all around is what the colour says", "[tr
   CHECK(sum == Approx(colour).epsilon(0.02));
 }
 
-TEST_CASE("translucent: depths of light that is scattered once bring what it would bring on average",
+TEST_CASE("translucent: depths of light that is scattered once give its mean",
           "[tracer][subsurface]") {
   const Translucency matter =
       translucency({0.8F, 0.4F, 0.1F}, {5, 3, 1}, AlbedoTable(1.3), 1.3);
