@@ -57,6 +57,8 @@ struct Octaves {
 [[nodiscard]] double turbulence(dvec3 p, const Octaves& octaves, NoiseGenerator generator);
 /// Vector turbulence (textures §2.7), in pattern units.
 [[nodiscard]] dvec3 vturbulence(dvec3 p, const Octaves& octaves);
+/// out[i] = vturbulence(points[i]), to the last bit. `out` is as long as `points`, or the same.
+void vturbulence(std::span<const dvec3> points, const Octaves& octaves, std::span<dvec3> out);
 
 /// out[i] = noise(lambda^i * p) for i < `count`. `out` has room for the next multiple of four.
 void noise_octaves(dvec3 p, double lambda, int count, NoiseGenerator generator, double* out);

@@ -14,7 +14,7 @@ durer_library(tracer
     cameras/camera.cpp ${camera_sources}
     lights/area.cpp lights/light.cpp
     transport/atmosphere.cpp transport/caustics.cpp transport/emitters.cpp transport/irradiance_cache.cpp transport/irradiance_file.cpp transport/light.cpp
-    transport/media.cpp transport/media_lights.cpp transport/path_lights.cpp transport/path_media.cpp transport/path_surface.cpp
+    transport/media.cpp transport/media_scattering.cpp transport/media_lights.cpp transport/media_samples.cpp transport/path_lights.cpp transport/path_media.cpp transport/path_surface.cpp
     transport/path_tracer.cpp transport/photon_file.cpp transport/photon_gathering.cpp transport/photon_map.cpp
     transport/photon_plan.cpp transport/photon_search.cpp transport/photon_shooting.cpp transport/photon_tracer.cpp transport/radiosity.cpp transport/shadow.cpp
     transport/subsurface.cpp transport/surface.cpp transport/texture_parts.cpp transport/trace.cpp
