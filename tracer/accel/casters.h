@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tracer/accel/shaft.h"
+#include "tracer/accel/sheet.h"
 #include "tracer/accel/wide_nodes.h"
 #include "tracer/primitives/store.h"
 
@@ -14,6 +15,7 @@ namespace durer::tracer {
 struct Caster {
   const Targets* targets = nullptr;
   std::uint32_t index = 0;
+  const Store* lone = nullptr;  // `targets`, if it is a primitive on its own
   Bounds3 box;  // of its surface
 };
 
@@ -23,10 +25,17 @@ class CasterIndex {
   CasterIndex() = default;
   explicit CasterIndex(std::span<const Targets* const> all);
 
-  /// Those whose boxes meet `shaft`; false if they are more than `most`.
+  /// Those whose boxes meet `shaft`, without those that a shaft clearly misses; false if they are more
+  /// than `most`.
   [[nodiscard]] bool gather(const Shaft& shaft, std::size_t most, std::vector<Caster>& out) const;
+  /// Likewise; without those that hold all of the sheet, away from their surface.
+  [[nodiscard]] bool gather(const Sheet& sheet, std::size_t most, std::vector<Caster>& out) const;
 
  private:
+  template <typename Region>
+  [[nodiscard]] bool gather_from(const Region& region, std::size_t most,
+                                 std::vector<Caster>& out) const;
+
   WideNodes nodes_;  // leaves are indices into finite_
   std::vector<Caster> finite_;
   std::vector<Caster> endless_;

@@ -8,6 +8,7 @@
 
 #include "base/bounds.h"
 #include "base/vec.h"
+#include "tracer/accel/half_space.h"
 #include "tracer/primitives/shaft_hull.h"
 
 namespace durer::tracer {
@@ -37,11 +38,12 @@ class Shaft {
     box_ = hull_.bounds();
   }
 
-  [[nodiscard]] dvec3 apex() const { return apex_; }
   [[nodiscard]] const Bounds3& box() const { return box_; }
   [[nodiscard]] const ShaftHull& hull() const { return hull_; }
-  /// Normals of its sides, of any length, inwards.
-  [[nodiscard]] const std::array<dvec3, 4>& sides() const { return sides_; }
+  /// It lies in these.
+  [[nodiscard]] std::array<HalfSpace, 4> half_spaces() const {
+    return {{{apex_, sides_[0]}, {apex_, sides_[1]}, {apex_, sides_[2]}, {apex_, sides_[3]}}};
+  }
 
   /// False if nothing inside of `b` can be in the shaft. It may be true for boxes that are near.
   [[nodiscard]] bool meets(const Bounds3& b) const {

@@ -15,6 +15,10 @@ namespace {
 
 dvec3 transform_point(const PatternState& state, dvec3 p) { return state.as<Affine>().point(p); }
 
+void transform_points(const PatternState& state, std::span<dvec3> points) {
+  for (dvec3& p : points) p = transform_point(state, p);
+}
+
 // Keeps points representable for the patterns' whole-number arithmetic; NaN becomes a bound.
 dvec3 clamp_point(dvec3 p) {
   const auto clamped = [](double x) {
@@ -106,11 +110,13 @@ void PatternStore::add_step(const scene::Warp& warp) {
   Step step;
   if (warp.type == scene::none) {
     step.apply = &transform_point;
+    step.apply_all = &transform_points;
     ::new (step.state.bytes.data()) Affine(warp.transform->backward);
   } else {
     const WarpType& type = *warp_types()[warp.type];
     type.prepare(warp.args, step.state);
     step.apply = type.apply;
+    step.apply_all = type.apply_all;
   }
   steps_.push_back(step);
 }
@@ -123,12 +129,35 @@ dvec3 PatternStore::warp(const PatternProgram& program, dvec3 p) const {
   return clamp_point(p);
 }
 
-double PatternStore::value(const PatternProgram& program, dvec3 warped, const SurfaceView* view) {
-  double v = program.type->evaluate(program.state, warped, view);
+void PatternStore::warp(const PatternProgram& program, std::span<dvec3> points) const {
+  if (program.moved) {
+    for (dvec3& p : points) p = program.to_pattern.point(p);
+  }
+  for (std::uint32_t i = program.first_step; i < program.end_step; ++i) {
+    steps_[i].apply_all(steps_[i].state, points);
+  }
+  for (dvec3& p : points) p = clamp_point(p);
+}
+
+namespace {
+
+double shaped(const PatternProgram& program, double v) {
   // The modulus is a little above 1 so that the value 1 stays 1 and finds the last entry.
   if (program.frequency != 0) v = remainder(v * program.frequency + program.phase, 1.00001);
   if (v < 0) v -= std::floor(v);
   return shape_wave(program.wave, program.wave_exponent, v);
+}
+
+}  // namespace
+
+double PatternStore::value(const PatternProgram& program, dvec3 warped, const SurfaceView* view) {
+  return shaped(program, program.type->evaluate(program.state, warped, view));
+}
+
+void PatternStore::values(const PatternProgram& program, std::span<const dvec3> warped,
+                          double* out) {
+  program.type->evaluate_all(program.state, warped, out);
+  for (std::size_t i = 0; i < warped.size(); ++i) out[i] = shaped(program, out[i]);
 }
 
 }  // namespace durer::tracer

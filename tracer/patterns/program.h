@@ -37,13 +37,19 @@ class PatternStore {
   /// A point as the pattern sees it, after transformations and warps.
   [[nodiscard]] dvec3 warp(const PatternProgram& program, dvec3 p) const;
 
+  /// The same for several points, in place.
+  void warp(const PatternProgram& program, std::span<dvec3> points) const;
+
   /// The value at a warped point. `view`: what a ray sees there, or null.
   [[nodiscard]] static double value(const PatternProgram& program, dvec3 warped,
                                     const SurfaceView* view = nullptr);
+  /// The values at several warped points away from surfaces.
+  static void values(const PatternProgram& program, std::span<const dvec3> warped, double* out);
 
  private:
   struct Step {
     dvec3 (*apply)(const PatternState& state, dvec3 p) = nullptr;
+    void (*apply_all)(const PatternState& state, std::span<dvec3> points) = nullptr;
     PatternState state;
   };
 
