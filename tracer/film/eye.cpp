@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "tracer/sobol.h"
 
@@ -111,7 +112,7 @@ Pixel Eye::look_along(const CameraRay& ray, double x, double y, std::uint32_t in
   path.reach = view_->reach;
   path.inside = view_->one_origin ? view_->scene->around_camera : around(path.ray.o);
   const Radiance r =
-      view_->scene->quality.path ? paths_.trace(path, random_) : tracer_.trace(path);
+      view_->scene->quality.path ? paths_.trace(path, random_) : tracer_.trace(std::move(path));
   return {r.colour, r.transmittance};
 }
 

@@ -1,11 +1,12 @@
 #include <cmath>
 
+#include "base/floor.h"
 #include "tracer/patterns/pattern_type.h"
 
 namespace durer::tracer::patterns {
 namespace {
 
-double fraction(double x) { return x - std::floor(x); }
+double fraction(double x) { return x - floored(x); }
 
 // A wall of bricks (1) with mortar joints (0), every second course shifted by half a brick, in all
 // three directions (textures §6.1).

@@ -6,20 +6,14 @@
 #include "tracer/patterns/image_sampler.h"
 #include "tracer/patterns/patterns.h"
 #include "tracer/patterns/pigment_pattern.h"
-#include "tracer/patterns/remainder.h"
 #include "tracer/warps/turbulence.h"
 #include "tracer/warps/warps.h"
 
 namespace durer::tracer {
 namespace {
 
-dvec3 transform_point(const PatternState& state, dvec3 p) { return state.as<Affine>().point(p); }
-
-// Keeps points representable for the patterns' whole-number arithmetic; NaN becomes a bound.
-dvec3 clamp_point(dvec3 p) {
-  constexpr double limit = 1e17;
-  for (int i = 0; i < 3; ++i) p[i] = std::min(limit, std::max(-limit, p[i]));
-  return p;
+dvec3 transform_point(const PatternState& state, const dvec3& p) {
+  return state.as<Affine>().point(p);
 }
 
 }  // namespace
@@ -111,22 +105,6 @@ void PatternStore::add_step(const scene::Warp& warp) {
     step.apply = type.apply;
   }
   steps_.push_back(step);
-}
-
-dvec3 PatternStore::warp(const PatternProgram& program, dvec3 p) const {
-  if (program.moved) p = program.to_pattern.point(p);
-  for (std::uint32_t i = program.first_step; i < program.end_step; ++i) {
-    p = steps_[i].apply(steps_[i].state, p);
-  }
-  return clamp_point(p);
-}
-
-double PatternStore::value(const PatternProgram& program, dvec3 warped, const SurfaceView* view) {
-  double v = program.type->evaluate(program.state, warped, view);
-  // The modulus is a little above 1 so that the value 1 stays 1 and finds the last entry.
-  if (program.frequency != 0) v = remainder(v * program.frequency + program.phase, 1.00001);
-  if (v < 0) v -= std::floor(v);
-  return shape_wave(program.wave, program.wave_exponent, v);
 }
 
 }  // namespace durer::tracer

@@ -1,15 +1,21 @@
 // Patterns as flat programs: from a point to the value that selects in a map (textures §3, §4).
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <unordered_map>
 #include <vector>
 
+#include "base/floor.h"
 #include "scene/pattern.h"
 #include "scene/scene.h"
 #include "tracer/patterns/pattern_type.h"
+#include "tracer/patterns/remainder.h"
 
 namespace durer::tracer {
+
+/// The wave form that shapes a pattern's value, 0…1 (textures §3, step 5).
+[[nodiscard]] double shape_wave(scene::Wave wave, float exponent, double value);
 
 /// One compiled pattern. The warps it names belong to the PatternStore that made it.
 struct PatternProgram {
@@ -35,18 +41,37 @@ class PatternStore {
   [[nodiscard]] PatternProgram compile(const scene::Pattern& pattern, const Transform& to_world);
 
   /// A point as the pattern sees it, after transformations and warps.
-  [[nodiscard]] dvec3 warp(const PatternProgram& program, dvec3 p) const;
+  [[nodiscard]] dvec3 warp(const PatternProgram& program, dvec3 p) const {
+    if (program.moved) p = program.to_pattern.point(p);
+    for (std::uint32_t i = program.first_step; i < program.end_step; ++i) {
+      p = steps_[i].apply(steps_[i].state, p);
+    }
+    return representable(p);
+  }
 
   /// The value at a warped point. `view`: what a ray sees there, or null.
-  [[nodiscard]] static double value(const PatternProgram& program, dvec3 warped,
-                                    const SurfaceView* view = nullptr);
+  [[nodiscard]] static double value(const PatternProgram& program, const dvec3& warped,
+                                    const SurfaceView* view = nullptr) {
+    double v = program.type->evaluate(program.state, warped, view);
+    // The modulus is a little above 1 so that the value 1 stays 1 and finds the last entry.
+    if (program.frequency != 0) v = remainder(v * program.frequency + program.phase, 1.00001);
+    if (v < 0) v -= floored(v);
+    return program.wave == scene::Wave::ramp ? v
+                                             : shape_wave(program.wave, program.wave_exponent, v);
+  }
 
  private:
   struct Step {
-    dvec3 (*apply)(const PatternState& state, dvec3 p) = nullptr;
+    dvec3 (*apply)(const PatternState& state, const dvec3& p) = nullptr;
     PatternState state;
   };
 
+  // Keeps points representable for the patterns' whole-number arithmetic; NaN becomes a bound.
+  [[nodiscard]] static dvec3 representable(dvec3 p) {
+    constexpr double limit = 1e17;
+    for (int i = 0; i < 3; ++i) p[i] = std::min(limit, std::max(-limit, p[i]));
+    return p;
+  }
   void add_step(const scene::Warp& warp);
   [[nodiscard]] const ImageSampler* sampler(const std::shared_ptr<const scene::Image>& image);
 
@@ -62,8 +87,5 @@ class PatternStore {
   std::unordered_map<std::shared_ptr<const scene::Image>, std::shared_ptr<const ImageSampler>>
       images_;
 };
-
-/// The wave form that shapes a pattern's value, 0…1 (textures §3, step 5).
-[[nodiscard]] double shape_wave(scene::Wave wave, float exponent, double value);
 
 }  // namespace durer::tracer

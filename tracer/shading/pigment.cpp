@@ -51,7 +51,7 @@ PigmentId PigmentStore::add(const scene::Pigment& pigment, const Transform& to_w
   return id;
 }
 
-Colour PigmentStore::at(PigmentId id, dvec3 p, const SurfaceView* view) const {
+Colour PigmentStore::at(PigmentId id, const dvec3& p, const SurfaceView* view) const {
   const Node& node = nodes_[id];
   if (node.pattern.type == nullptr) return node.colour;
   const dvec3 warped = patterns_.warp(node.pattern, place(node, p, view));
@@ -61,7 +61,7 @@ Colour PigmentStore::at(PigmentId id, dvec3 p, const SurfaceView* view) const {
   return select(node, PatternStore::value(node.pattern, warped, view), warped, view);
 }
 
-bool PigmentStore::covers(PigmentId id, dvec3 p, const SurfaceView* view) const {
+bool PigmentStore::covers(PigmentId id, const dvec3& p, const SurfaceView* view) const {
   const Node& node = nodes_[id];
   if (node.pattern.type == nullptr) return true;
   const dvec3 warped = patterns_.warp(node.pattern, place(node, p, view));
@@ -84,7 +84,7 @@ double PigmentStore::pattern_value(PigmentId id, dvec3 p) const {
   return PatternStore::value(node.pattern, patterns_.warp(node.pattern, p));
 }
 
-Colour PigmentStore::select(const Node& node, double value, dvec3 p,
+Colour PigmentStore::select(const Node& node, double value, const dvec3& p,
                             const SurfaceView* view) const {
   const std::span entries(&entries_[node.first_entry], node.end_entry - node.first_entry);
   if (node.pattern.type->averages) return average(entries, p, view);
@@ -94,7 +94,7 @@ Colour PigmentStore::select(const Node& node, double value, dvec3 p,
   return mix(lower, entry_colour(*found.upper, p, view), found.t);
 }
 
-Colour PigmentStore::average(std::span<const Entry> entries, dvec3 p,
+Colour PigmentStore::average(std::span<const Entry> entries, const dvec3& p,
                              const SurfaceView* view) const {
   Colour sum;
   float total = 0;
@@ -108,7 +108,8 @@ Colour PigmentStore::average(std::span<const Entry> entries, dvec3 p,
   return {sum.rgb / total, sum.filter / total, sum.transmit / total};
 }
 
-Colour PigmentStore::entry_colour(const Entry& entry, dvec3 p, const SurfaceView* view) const {
+Colour PigmentStore::entry_colour(const Entry& entry, const dvec3& p,
+                                  const SurfaceView* view) const {
   return entry.child == scene::none ? entry.colour : at(entry.child, p, view);
 }
 

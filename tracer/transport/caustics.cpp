@@ -57,8 +57,8 @@ vec3 Tracer::plain_caustics(const View& view, const LayerPoint& layer) {
     const bool hidden = cosine < static_cast<float>(epsilon) && !view.double_illuminate;
     const float share = hidden ? f.diffuse_back : f.diffuse;
     if (share <= 0) continue;
-    const float bright =
-        f.brilliance == 1 ? std::abs(cosine) : std::pow(std::abs(cosine), f.brilliance);
+    const float bright = f.brilliance.is_one() ? std::abs(cosine)
+                                               : std::pow(std::abs(cosine), float{f.brilliance});
     sum += share * bright / std::clamp(glm::dot(g, photon.l), least_cosine, 1.0F) * photon.power;
   }
   return sum * layer.opacity * layer.pigment;

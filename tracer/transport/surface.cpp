@@ -4,6 +4,7 @@
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "tracer/shading/spectrum.h"
 #include "tracer/transport/layers.h"
@@ -78,44 +79,55 @@ Finish Tracer::without_diffuse(const Finish& finish) const {
 }
 
 Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
-  const bool gathers =
-      scene_->radiosity && path.bounce < scene_->radiosity->bounces.size();
-  Indirect around;
-  const bool photons = view.collects && has_caustics();
-  bool first_lit = true;  // layers may ignore the lights that others need
-  return walk_layers(view, limits(path).adc, [&](const LayerPoint& whole, LayerSum& sum) {
+  LayersLight so_far;
+  so_far.gathers = scene_->radiosity && path.bounce < scene_->radiosity->bounces.size();
+  so_far.photons = view.collects && has_caustics();
+  return walk_layers(view, limits(path).adc, [&](const LayerPoint& layer, LayerSum& sum) {
     if (!quality_.lights) {
-      sum.colour = whole.pigment;
+      sum.colour = layer.pigment;
       return vec3(0.0F);
     }
-    LayerPoint layer = whole;
-    vec3 from_below(0.0F);
-    Finish above;  // what is left of the finish where light goes below
-    if (is_translucent(view, *layer.finish)) {
-      from_below = subsurface(view, path, layer);
-      first_lit = true;  // it lights other places
-      above = without_diffuse(*layer.finish);
-      layer.finish = &above;
-    }
-    const Finish& f = *layer.finish;
     vec3 rho(0.0F);
-    if (f.reflects) rho = remember_reflection(view, path, whole, sum.sigma);
-    vec3 light = layer.pigment * f.glow_pigment * layer.opacity + from_below;
-    if (f.lit) {
-      light += illuminate(view, path, layer, first_lit);
-      if (photons) {
-        if (first_lit) find_photons(view, layer.n);
-        light += caustics(view, layer);
-      }
-      first_lit = false;
-    }
-    if (gathers && (f.indirect != 0 || f.indirect_back != 0)) {
-      light += indirect_part(view, path, layer, sum.through, around);
-      first_lit = true;  // gathering lights other surfaces
-    }
+    if (layer.finish->reflects) rho = remember_reflection(view, path, layer, sum.sigma);
+    const vec3 light = scene_->subsurface && is_translucent(view, *layer.finish)
+                           ? light_of_translucent(view, path, layer, sum.through, so_far)
+                           : light_of(view, path, layer, sum.through, so_far);
     sum.colour += light * sum.through;
     return rho;
   });
+}
+
+// What one layer sends out by itself, and of the light that falls onto it.
+vec3 Tracer::light_of(const View& view, const Path& path, const LayerPoint& layer, vec3 through,
+                      LayersLight& so_far) {
+  const Finish& f = *layer.finish;
+  vec3 light = layer.pigment * f.glow_pigment * layer.opacity + so_far.from_below;
+  if (f.lit) {
+    light += illuminate(view, path, layer, so_far.first_lit);
+    if (so_far.photons) {
+      if (so_far.first_lit) find_photons(view, layer.n);
+      light += caustics(view, layer);
+    }
+    so_far.first_lit = false;
+  }
+  if (so_far.gathers && (f.indirect != 0 || f.indirect_back != 0)) {
+    light += indirect_part(view, path, layer, through, so_far.around);
+    so_far.first_lit = true;  // gathering lights other surfaces
+  }
+  return light;
+}
+
+// The same where light goes below the surface: only what is left of the finish counts above.
+vec3 Tracer::light_of_translucent(const View& view, const Path& path, const LayerPoint& layer,
+                                  vec3 through, LayersLight& so_far) {
+  so_far.from_below = subsurface(view, path, layer);
+  so_far.first_lit = true;  // it lights other places
+  const Finish above = without_diffuse(*layer.finish);
+  LayerPoint rest = layer;
+  rest.finish = &above;
+  const vec3 light = light_of(view, path, rest, through, so_far);
+  so_far.from_below = vec3(0.0F);
+  return light;
 }
 
 // The normal of a layer. Afterwards `seen` has it as patterns of the layer see it, which is inside
@@ -251,7 +263,7 @@ Radiance Tracer::disperse(const View& view, const LayerSum& layers, const Path& 
     vec3 tint = band.hue;
     if (const auto film = bend_path(view, layers, path, c.eta(band.wavelength), ray)) tint *= *film;
     ray.wavelength = band.wavelength;
-    const Radiance r = trace(ray);
+    const Radiance r = trace(std::move(ray));
     sum.colour += tint * r.colour;
     sum.transmittance += r.transmittance;
   }
@@ -270,10 +282,11 @@ vec3 Tracer::reflect(const View& view, const LayerSum& layers, const Path& arriv
     path.ray = {view.p, mirror(view.d, r.n, view.g)};
     path.weight = r.weight;
     path.reflected = true;
-    vec3 light = trace(path).colour;
+    const dvec3 d = path.ray.d;
+    vec3 light = trace(std::move(path)).colour;
     const Finish& f = *r.finish;
     if (f.irid > 0) {
-      light *= iridescence(f, view.p, glm::dot(r.n, path.ray.d), glm::dot(r.n, view.d));
+      light *= iridescence(f, view.p, glm::dot(r.n, d), glm::dot(r.n, view.d));
     }
     if (f.reflection_power != 1) light = glm::pow(light, vec3(f.reflection_power));
     sum += r.rho * light;

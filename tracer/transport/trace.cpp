@@ -35,7 +35,7 @@ Tracer::Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha)
 
 // Transmitted rays are followed in the loop rather than by recursion: straight ones do not count as
 // a level, so that a ray may pass any number of them.
-Radiance Tracer::follow(Path path, bool straight) {
+Radiance Tracer::follow(Path& path, bool straight) {
   vec3 sum(0.0F);
   vec3 through(1.0F);
   float transmittance = 1;

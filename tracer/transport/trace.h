@@ -120,7 +120,12 @@ class Tracer {
   /// `alpha`: see RenderOptions.
   Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha);
 
-  [[nodiscard]] Radiance trace(const Path& path) { return follow(path, false); }
+  [[nodiscard]] Radiance trace(const Path& path) {
+    Path own = path;
+    return follow(own, false);
+  }
+  /// The same for a path that nobody needs any more.
+  [[nodiscard]] Radiance trace(Path&& path) { return follow(path, false); }
 
  private:
   friend class MediaIntegrator;
@@ -196,7 +201,7 @@ class Tracer {
     const SurfaceProgram* surface = nullptr;
   };
 
-  [[nodiscard]] Radiance follow(Path path, bool straight);
+  [[nodiscard]] Radiance follow(Path& path, bool straight);
   [[nodiscard]] Radiance blend(const Look& look, const Hit& hit, const Path& path);
   [[nodiscard]] Look look(const Hit& hit, dvec3 d) const;
   [[nodiscard]] ProgramId texture_at(const Hit& hit, const SurfaceProgram& surface,
@@ -226,6 +231,19 @@ class Tracer {
     bool front_known = false;
     bool back_known = false;
   };
+  // What the layers of a surface know of each other's light.
+  struct LayersLight {
+    Indirect around;
+    vec3 from_below{0.0F};  // light that comes out of the layer in hand from below
+    bool gathers = false;
+    bool photons = false;
+    bool first_lit = true;  // layers may ignore the lights that others need
+  };
+  [[nodiscard]] vec3 light_of(const View& view, const Path& path, const LayerPoint& layer,
+                              vec3 through, LayersLight& so_far);
+  [[nodiscard]] vec3 light_of_translucent(const View& view, const Path& path,
+                                          const LayerPoint& layer, vec3 through,
+                                          LayersLight& so_far);
   [[nodiscard]] vec3 indirect_part(const View& view, const Path& path, const LayerPoint& layer,
                                    vec3 through, Indirect& known);
   [[nodiscard]] vec3 indirect(const View& view, dvec3 layer_normal, float weight,
@@ -266,7 +284,7 @@ class Tracer {
                                 bool first_lit);
   void find_lamps(const View& view);
   [[nodiscard]] static bool spreads(const Light& light, const View& view);
-  [[nodiscard]] static bool is_behind(const View& view, const LayerPoint& layer, dvec3 l);
+  [[nodiscard]] static bool is_behind(const View& view, const LayerPoint& layer, const dvec3& l);
   [[nodiscard]] vec3 shade_by_area(const View& view, const LayerPoint& layer, const Light& light,
                                    const LampAtPoint& lamp);
   // Light from one direction.
@@ -275,6 +293,14 @@ class Tracer {
     vec3 light{0.0F};
     bool highlights = true;
   };
+  // How a surface lies towards light.
+  struct Facing {
+    bool backside = false;
+    bool highlights = true;
+    bool grain = true;  // with `crand`
+  };
+  [[nodiscard]] inline vec3 shade_from(const View& view, const LayerPoint& layer, const dvec3& l,
+                                       const vec3& light, Facing facing) const;
   /// `grain`: with `crand`.
   [[nodiscard]] vec3 shade(const View& view, const LayerPoint& layer, const Beam& beam,
                            bool backside, bool grain = true) const;
