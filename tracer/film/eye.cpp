@@ -111,9 +111,9 @@ Pixel Eye::look_along(const CameraRay& ray, double x, double y, std::uint32_t in
   }
   path.reach = view_->reach;
   path.inside = view_->one_origin ? view_->scene->around_camera : around(path.ray.o);
-  const Radiance r =
-      view_->scene->quality.path ? paths_.trace(path, random_) : tracer_.trace(std::move(path));
-  return {r.colour, r.transmittance};
+  const auto pixel = [](const Radiance& r) { return Pixel(r.colour, r.transmittance); };
+  if (view_->scene->quality.path) return pixel(paths_.trace(path, random_));
+  return pixel(tracer_.trace(std::move(path)));
 }
 
 Containment Eye::around(dvec3 p) {

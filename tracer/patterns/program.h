@@ -1,7 +1,6 @@
 // Patterns as flat programs: from a point to the value that selects in a map (textures §3, §4).
 #pragma once
 
-#include <algorithm>
 #include <memory>
 #include <unordered_map>
 #include <vector>
@@ -41,12 +40,15 @@ class PatternStore {
   [[nodiscard]] PatternProgram compile(const scene::Pattern& pattern, const Transform& to_world);
 
   /// A point as the pattern sees it, after transformations and warps.
-  [[nodiscard]] dvec3 warp(const PatternProgram& program, dvec3 p) const {
-    if (program.moved) p = program.to_pattern.point(p);
-    for (std::uint32_t i = program.first_step; i < program.end_step; ++i) {
-      p = steps_[i].apply(steps_[i].state, p);
+  [[nodiscard]] dvec3 warp(const PatternProgram& program, const dvec3& p) const {
+    if (program.first_step == program.end_step) {
+      return representable(program.moved ? program.to_pattern.point(p) : p);
     }
-    return representable(p);
+    dvec3 q = program.moved ? program.to_pattern.point(p) : p;
+    for (std::uint32_t i = program.first_step; i < program.end_step; ++i) {
+      q = steps_[i].apply(steps_[i].state, q);
+    }
+    return representable(q);
   }
 
   /// The value at a warped point. `view`: what a ray sees there, or null.
@@ -67,10 +69,13 @@ class PatternStore {
   };
 
   // Keeps points representable for the patterns' whole-number arithmetic; NaN becomes a bound.
-  [[nodiscard]] static dvec3 representable(dvec3 p) {
+  [[nodiscard]] static dvec3 representable(const dvec3& p) {
+    return {representable(p.x), representable(p.y), representable(p.z)};
+  }
+  [[nodiscard]] static double representable(double x) {
     constexpr double limit = 1e17;
-    for (int i = 0; i < 3; ++i) p[i] = std::min(limit, std::max(-limit, p[i]));
-    return p;
+    const double lower = x > -limit ? x : -limit;
+    return lower < limit ? lower : limit;
   }
   void add_step(const scene::Warp& warp);
   [[nodiscard]] const ImageSampler* sampler(const std::shared_ptr<const scene::Image>& image);

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "functions/simd/inline.h"
 #include "tracer/shading/spectrum.h"
 #include "tracer/transport/layers.h"
 
@@ -78,6 +79,26 @@ Finish Tracer::without_diffuse(const Finish& finish) const {
   return f;
 }
 
+// What one layer sends out by itself, and of the light that falls onto it.
+DURER_INLINE vec3 Tracer::light_of(const View& view, const Path& path, const LayerPoint& layer,
+                                   const vec3& through, LayersLight& so_far) {
+  const Finish& f = *layer.finish;
+  vec3 light = layer.pigment * f.glow_pigment * layer.opacity + so_far.from_below;
+  if (f.lit) {
+    light += illuminate(view, path, layer, so_far.first_lit);
+    if (so_far.photons) {
+      if (so_far.first_lit) find_photons(view, layer.n);
+      light += caustics(view, layer);
+    }
+    so_far.first_lit = false;
+  }
+  if (so_far.gathers && (f.indirect != 0 || f.indirect_back != 0)) {
+    light += indirect_part(view, path, layer, through, so_far.around);
+    so_far.first_lit = true;  // gathering lights other surfaces
+  }
+  return light;
+}
+
 Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
   LayersLight so_far;
   so_far.gathers = scene_->radiosity && path.bounce < scene_->radiosity->bounces.size();
@@ -97,29 +118,9 @@ Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
   });
 }
 
-// What one layer sends out by itself, and of the light that falls onto it.
-vec3 Tracer::light_of(const View& view, const Path& path, const LayerPoint& layer, vec3 through,
-                      LayersLight& so_far) {
-  const Finish& f = *layer.finish;
-  vec3 light = layer.pigment * f.glow_pigment * layer.opacity + so_far.from_below;
-  if (f.lit) {
-    light += illuminate(view, path, layer, so_far.first_lit);
-    if (so_far.photons) {
-      if (so_far.first_lit) find_photons(view, layer.n);
-      light += caustics(view, layer);
-    }
-    so_far.first_lit = false;
-  }
-  if (so_far.gathers && (f.indirect != 0 || f.indirect_back != 0)) {
-    light += indirect_part(view, path, layer, through, so_far.around);
-    so_far.first_lit = true;  // gathering lights other surfaces
-  }
-  return light;
-}
-
 // The same where light goes below the surface: only what is left of the finish counts above.
 vec3 Tracer::light_of_translucent(const View& view, const Path& path, const LayerPoint& layer,
-                                  vec3 through, LayersLight& so_far) {
+                                  const vec3& through, LayersLight& so_far) {
   so_far.from_below = subsurface(view, path, layer);
   so_far.first_lit = true;  // it lights other places
   const Finish above = without_diffuse(*layer.finish);
@@ -164,7 +165,12 @@ vec3 Tracer::remember_reflection(const View& view, const Path& path, const Layer
                                  float sigma) {
   const Reflectivity r = reflectivity_of(view, path.inside, layer);
   if (quality_.reflection && r.rho != vec3(0.0F)) {
-    scratch_->reflections.push_back({layer.finish, layer.n, r.rho, path.weight * sigma * r.weight});
+    // Made in place, and read member by member: as a whole it would be read before it is written.
+    Reflection& kept = scratch_->reflections.emplace_back();
+    kept.finish = layer.finish;
+    kept.n = layer.n;
+    kept.rho = r.rho;
+    kept.weight = path.weight * sigma * r.weight;
   }
   return r.rho;
 }
@@ -276,20 +282,20 @@ vec3 Tracer::reflect(const View& view, const LayerSum& layers, const Path& arriv
   vec3 sum(0.0F);
   const std::size_t end = scratch_->reflections.size();
   for (std::size_t i = first; i < end; ++i) {
-    const Reflection r = scratch_->reflections[i];  // a copy: tracing moves the stack
-    if (tir && same_direction(r.n, layers.top)) continue;
+    // Copies: tracing moves the stack.
+    const Finish& f = *scratch_->reflections[i].finish;
+    const dvec3 n = scratch_->reflections[i].n;
+    const vec3 rho = scratch_->reflections[i].rho;
+    if (tir && same_direction(n, layers.top)) continue;
+    const dvec3 d = mirror(view.d, n, view.g);
     Path path = arrived;
-    path.ray = {view.p, mirror(view.d, r.n, view.g)};
-    path.weight = r.weight;
+    path.ray = {view.p, d};
+    path.weight = scratch_->reflections[i].weight;
     path.reflected = true;
-    const dvec3 d = path.ray.d;
     vec3 light = trace(std::move(path)).colour;
-    const Finish& f = *r.finish;
-    if (f.irid > 0) {
-      light *= iridescence(f, view.p, glm::dot(r.n, d), glm::dot(r.n, view.d));
-    }
+    if (f.irid > 0) light *= iridescence(f, view.p, glm::dot(n, d), glm::dot(n, view.d));
     if (f.reflection_power != 1) light = glm::pow(light, vec3(f.reflection_power));
-    sum += r.rho * light;
+    sum += rho * light;
   }
   return sum;
 }

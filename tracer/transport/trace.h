@@ -239,10 +239,10 @@ class Tracer {
     bool photons = false;
     bool first_lit = true;  // layers may ignore the lights that others need
   };
-  [[nodiscard]] vec3 light_of(const View& view, const Path& path, const LayerPoint& layer,
-                              vec3 through, LayersLight& so_far);
+  [[nodiscard]] inline vec3 light_of(const View& view, const Path& path, const LayerPoint& layer,
+                                     const vec3& through, LayersLight& so_far);
   [[nodiscard]] vec3 light_of_translucent(const View& view, const Path& path,
-                                          const LayerPoint& layer, vec3 through,
+                                          const LayerPoint& layer, const vec3& through,
                                           LayersLight& so_far);
   [[nodiscard]] vec3 indirect_part(const View& view, const Path& path, const LayerPoint& layer,
                                    vec3 through, Indirect& known);
