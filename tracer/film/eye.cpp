@@ -110,18 +110,21 @@ Pixel Eye::look_along(const CameraRay& ray, double x, double y, std::uint32_t in
     path.ray.d = glm::normalize(view_->bumps.at(view_->bump, place, path.ray.d, nullptr));
   }
   path.reach = view_->reach;
-  path.inside = view_->one_origin ? view_->scene->around_camera : around(path.ray.o);
+  if (view_->one_origin) {
+    path.inside = view_->scene->around_camera;
+  } else {
+    find_around(path.ray.o, path.inside);
+  }
   const auto pixel = [](const Radiance& r) { return Pixel(r.colour, r.transmittance); };
   if (view_->scene->quality.path) return pixel(paths_.trace(path, random_));
   return pixel(tracer_.trace(std::move(path)));
 }
 
-Containment Eye::around(dvec3 p) {
-  Containment inside;
+/// Adds the bodies that hold `p`.
+void Eye::find_around(const dvec3& p, Containment& inside) {
   scratch_.containing.clear();
   view_->scene->geometry.containing(p, scratch_.containing, *scratch_.geometry);
   for (const std::uint32_t id : scratch_.containing) inside.append(id);
-  return inside;
 }
 
 }  // namespace durer::tracer

@@ -134,12 +134,17 @@ vec3 Tracer::light_of_translucent(const View& view, const Path& path, const Laye
 // The normal of a layer. Afterwards `seen` has it as patterns of the layer see it, which is inside
 // of the patterned textures around it (textures §13.1, §13.5).
 dvec3 Tracer::bend(const View& view, const LayerProgram& layer, SurfaceView& seen) const {
+  const NormalStore& normals = scene_->textures.normals();
+  if (view.places == 0 && view.frame_count == 0) {
+    seen.n = normals.at(layer.normal, view.q, view.g, &seen);
+    return glm::normalize(seen.n);
+  }
   dvec3 n = view.g;
   for (std::uint32_t i = 0; i < view.places; ++i) {
     n = glm::normalize(view.spaces[i]->forward.covector(n));
   }
   for (std::uint32_t i = 0; i < view.frame_count; ++i) n = view.frames[i]->enter(n);
-  n = scene_->textures.normals().at(layer.normal, view.q, n, &seen);
+  n = normals.at(layer.normal, view.q, n, &seen);
   const auto back_to_world = [&view](dvec3 inner) {
     for (std::uint32_t i = view.places; i-- > 0;) {
       inner = glm::normalize(view.spaces[i]->backward.covector(inner));

@@ -159,12 +159,13 @@ class Tracer {
     vec3 through{1.0F};
     float sigma = 1;  // scalar transparency
   };
-  // One layer at a point.
+  // One layer at a point. Its opacity stands apart from the pigment: compilers would read both at
+  // once, right after they were written one by one, and processors wait for that.
   struct LayerPoint {
     const Finish* finish = nullptr;
+    float opacity = 1;
     dvec3 n{0.0};
     vec3 pigment{0.0F};
-    float opacity = 1;
   };
   // Light from one surface; when `continues`, the path has been turned into the transmitted ray.
   struct Step {
