@@ -9,7 +9,7 @@ namespace durer::tracer {
 class Exponent {
  public:
   Exponent() = default;
-  Exponent(float value) : value_(value) {  // NOLINT: meant to convert
+  Exponent(float value) : value_(value), whole_(0) {  // NOLINT: meant to convert
     constexpr float most = 256;
     if (value >= 1 && value <= most && value == std::floor(value)) {
       whole_ = static_cast<unsigned>(value);

@@ -79,11 +79,10 @@ Finish Tracer::without_diffuse(const Finish& finish) const {
   return f;
 }
 
-// What one layer sends out by itself, and of the light that falls onto it.
+// What one layer sends out by itself, which is `light`, and of the light that falls onto it.
 DURER_INLINE vec3 Tracer::light_of(const View& view, const Path& path, const LayerPoint& layer,
-                                   const vec3& through, LayersLight& so_far) {
+                                   const vec3& through, vec3 light, LayersLight& so_far) {
   const Finish& f = *layer.finish;
-  vec3 light = layer.pigment * f.glow_pigment * layer.opacity + so_far.from_below;
   if (f.lit) {
     light += illuminate(view, path, layer, so_far.first_lit);
     if (so_far.photons) {
@@ -108,11 +107,12 @@ Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
       sum.colour = layer.pigment;
       return vec3(0.0F);
     }
+    const vec3 glow = layer.pigment * layer.finish->glow_pigment * layer.opacity;
     vec3 rho(0.0F);
     if (layer.finish->reflects) rho = remember_reflection(view, path, layer, sum.sigma);
     const vec3 light = scene_->subsurface && is_translucent(view, *layer.finish)
-                           ? light_of_translucent(view, path, layer, sum.through, so_far)
-                           : light_of(view, path, layer, sum.through, so_far);
+                           ? light_of_translucent(view, path, layer, sum.through, glow, so_far)
+                           : light_of(view, path, layer, sum.through, glow, so_far);
     sum.colour += light * sum.through;
     return rho;
   });
@@ -120,15 +120,13 @@ Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
 
 // The same where light goes below the surface: only what is left of the finish counts above.
 vec3 Tracer::light_of_translucent(const View& view, const Path& path, const LayerPoint& layer,
-                                  const vec3& through, LayersLight& so_far) {
-  so_far.from_below = subsurface(view, path, layer);
+                                  const vec3& through, vec3 glow, LayersLight& so_far) {
+  glow += subsurface(view, path, layer);
   so_far.first_lit = true;  // it lights other places
   const Finish above = without_diffuse(*layer.finish);
   LayerPoint rest = layer;
   rest.finish = &above;
-  const vec3 light = light_of(view, path, rest, through, so_far);
-  so_far.from_below = vec3(0.0F);
-  return light;
+  return light_of(view, path, rest, through, glow, so_far);
 }
 
 // The normal of a layer. Afterwards `seen` has it as patterns of the layer see it, which is inside

@@ -159,8 +159,7 @@ class Tracer {
     vec3 through{1.0F};
     float sigma = 1;  // scalar transparency
   };
-  // One layer at a point. Its opacity stands apart from the pigment: compilers would read both at
-  // once, right after they were written one by one, and processors wait for that.
+  // One layer at a point.
   struct LayerPoint {
     const Finish* finish = nullptr;
     float opacity = 1;
@@ -235,16 +234,15 @@ class Tracer {
   // What the layers of a surface know of each other's light.
   struct LayersLight {
     Indirect around;
-    vec3 from_below{0.0F};  // light that comes out of the layer in hand from below
     bool gathers = false;
     bool photons = false;
     bool first_lit = true;  // layers may ignore the lights that others need
   };
   [[nodiscard]] inline vec3 light_of(const View& view, const Path& path, const LayerPoint& layer,
-                                     const vec3& through, LayersLight& so_far);
+                                     const vec3& through, vec3 light, LayersLight& so_far);
   [[nodiscard]] vec3 light_of_translucent(const View& view, const Path& path,
                                           const LayerPoint& layer, const vec3& through,
-                                          LayersLight& so_far);
+                                          vec3 glow, LayersLight& so_far);
   [[nodiscard]] vec3 indirect_part(const View& view, const Path& path, const LayerPoint& layer,
                                    vec3 through, Indirect& known);
   [[nodiscard]] vec3 indirect(const View& view, dvec3 layer_normal, float weight,
