@@ -40,7 +40,7 @@ struct Hexagon {
     static constexpr std::array above{2, 1, 0, 2, 1, 0};
     if (rising) s = 1 - s;
     if (s == 0) s = 0.0001;
-    return t / s < 1 ? below[row] : above[row];
+    return t < s ? below[row] : above[row];
   }
 };
 
