@@ -11,8 +11,8 @@ namespace durer {
 /// Two doubles that one instruction treats alike.
 using DoublePair = double __attribute__((vector_size(16)));
 
-/// Ends of four ranges. What operations give is what those of Interval give, bit for bit, as long as
-/// all ends are finite.
+/// Ends of four ranges. What operations give is what those of Interval give, bit for bit, as long
+/// as all ends are finite.
 struct Ranges {
   DoublePair lo[2]{};
   DoublePair hi[2]{};
@@ -56,6 +56,19 @@ namespace ranges_detail {
     const DoublePair v = a.hi[i] * to;
     r.lo[i] = least(least(p, q), least(u, v));
     r.hi[i] = greatest(greatest(p, q), greatest(u, v));
+  }
+  return r;
+}
+/// Each times the same number.
+[[nodiscard]] inline Ranges operator*(const Ranges& a, double s) {
+  using namespace ranges_detail;
+  const DoublePair by{s, s};
+  Ranges r;
+  for (int i = 0; i < 2; ++i) {
+    const DoublePair p = a.lo[i] * by;
+    const DoublePair q = a.hi[i] * by;
+    r.lo[i] = least(p, q);
+    r.hi[i] = greatest(p, q);
   }
   return r;
 }

@@ -138,6 +138,15 @@ template <class F>
   }
   return trend_detail::multiply_unbounded(a, b);
 }
+/// Cheaper than with a range: the ends keep their order, or change places.
+[[nodiscard]] inline Trend operator*(const Trend& a, double s) {
+  if (a.is_bounded()) {
+    const Trend r(a.all() * s, a.nan());
+    if (r.is_bounded()) return r;
+  }
+  return a * Trend(s);
+}
+[[nodiscard]] inline Trend operator*(double s, const Trend& a) { return a * s; }
 [[nodiscard]] inline Trend operator/(const Trend& a, const Trend& b) {
   using trend_detail::product;
   const Interval q = a.range() / b.range();
@@ -147,13 +156,13 @@ template <class F>
     const Trend t((a.all() - b.all() * q) * r, q);
     if (t.is_bounded()) return t;
   }
-  return {q, trend_detail::map([&](std::size_t i) {
-            return product(r, a.slope(i) - product(q, b.slope(i)));
-          })};
+  return {q, trend_detail::map(
+                 [&](std::size_t i) { return product(r, a.slope(i) - product(q, b.slope(i))); })};
 }
 inline Trend& operator+=(Trend& a, const Trend& b) { return a = a + b; }
 inline Trend& operator-=(Trend& a, const Trend& b) { return a = a - b; }
 inline Trend& operator*=(Trend& a, const Trend& b) { return a = a * b; }
+inline Trend& operator*=(Trend& a, double s) { return a = a * s; }
 
 [[nodiscard]] inline Trend sqr(const Trend& a) {
   return trend_detail::chain(sqr(a.range()), Interval(2.0) * a.range(), a);
@@ -179,9 +188,13 @@ inline Trend& operator*=(Trend& a, const Trend& b) { return a = a * b; }
   }
   return Trend::erratic(max(a.range(), b.range()));
 }
-[[nodiscard]] inline Trend floor(const Trend& a) { return trend_detail::steps(floor(a.range()), a); }
+[[nodiscard]] inline Trend floor(const Trend& a) {
+  return trend_detail::steps(floor(a.range()), a);
+}
 [[nodiscard]] inline Trend ceil(const Trend& a) { return trend_detail::steps(ceil(a.range()), a); }
-[[nodiscard]] inline Trend trunc(const Trend& a) { return trend_detail::steps(trunc(a.range()), a); }
+[[nodiscard]] inline Trend trunc(const Trend& a) {
+  return trend_detail::steps(trunc(a.range()), a);
+}
 [[nodiscard]] inline Trend sqrt(const Trend& a) {
   const Interval s = sqrt(a.range());
   if (s.lo <= 0) return trend_detail::chain(s, {0, interval_detail::inf}, a);
@@ -214,11 +227,13 @@ inline Trend& operator*=(Trend& a, const Trend& b) { return a = a * b; }
 }
 [[nodiscard]] inline Trend asin(const Trend& a) {
   if (!(a.range().lo > -1 && a.range().hi < 1)) return Trend::erratic(asin(a.range()));
-  return trend_detail::chain(asin(a.range()), Interval(1.0) / sqrt(Interval(1.0) - sqr(a.range())), a);
+  return trend_detail::chain(asin(a.range()), Interval(1.0) / sqrt(Interval(1.0) - sqr(a.range())),
+                             a);
 }
 [[nodiscard]] inline Trend acos(const Trend& a) {
   if (!(a.range().lo > -1 && a.range().hi < 1)) return Trend::erratic(acos(a.range()));
-  return trend_detail::chain(acos(a.range()), Interval(-1.0) / sqrt(Interval(1.0) - sqr(a.range())), a);
+  return trend_detail::chain(acos(a.range()), Interval(-1.0) / sqrt(Interval(1.0) - sqr(a.range())),
+                             a);
 }
 [[nodiscard]] inline Trend atan(const Trend& a) {
   return trend_detail::chain(atan(a.range()), Interval(1.0) / (Interval(1.0) + sqr(a.range())), a);
@@ -234,11 +249,13 @@ inline Trend& operator*=(Trend& a, const Trend& b) { return a = a * b; }
   return trend_detail::chain(t, Interval(1.0) - sqr(t), a);
 }
 [[nodiscard]] inline Trend asinh(const Trend& a) {
-  return trend_detail::chain(asinh(a.range()), Interval(1.0) / sqrt(sqr(a.range()) + Interval(1.0)), a);
+  return trend_detail::chain(asinh(a.range()), Interval(1.0) / sqrt(sqr(a.range()) + Interval(1.0)),
+                             a);
 }
 [[nodiscard]] inline Trend acosh(const Trend& a) {
   if (!(a.range().lo > 1)) return Trend::erratic(acosh(a.range()));
-  return trend_detail::chain(acosh(a.range()), Interval(1.0) / sqrt(sqr(a.range()) - Interval(1.0)), a);
+  return trend_detail::chain(acosh(a.range()), Interval(1.0) / sqrt(sqr(a.range()) - Interval(1.0)),
+                             a);
 }
 [[nodiscard]] inline Trend atanh(const Trend& a) {
   if (!(a.range().lo > -1 && a.range().hi < 1)) return Trend::erratic(atanh(a.range()));
@@ -258,8 +275,9 @@ inline Trend& operator*=(Trend& a, const Trend& b) { return a = a * b; }
 }
 [[nodiscard]] inline Trend fmod(const Trend& a, const Trend& m) {
   const Interval v = fmod(a.range(), m.range());
-  const bool whole = m.range().is_point() && m.range().lo != 0 && trend_detail::is_constant(m) && !a.range().nan &&
-                     std::trunc(a.range().lo / m.range().lo) == std::trunc(a.range().hi / m.range().lo);
+  const bool whole =
+      m.range().is_point() && m.range().lo != 0 && trend_detail::is_constant(m) && !a.range().nan &&
+      std::trunc(a.range().lo / m.range().lo) == std::trunc(a.range().hi / m.range().lo);
   return whole ? Trend(a.all(), v) : Trend::erratic(v);
 }
 [[nodiscard]] inline Trend pow(const Trend& a, const Trend& b) {

@@ -23,4 +23,16 @@ Trend evaluate_trend(const Function& f, std::span<const Interval> box, Workspace
   return result;
 }
 
+Trend evaluate_along(const Function& f, dvec3 origin, dvec3 direction, Interval t, Workspace& w) {
+  std::array<Trend, 3> arguments;
+  for (int k = 0; k < 3; ++k) {
+    const double a = origin[k] + t.lo * direction[k];
+    const double b = origin[k] + t.hi * direction[k];
+    const double pad = 1e-15 * (std::abs(a) + std::abs(b));
+    arguments[static_cast<std::size_t>(k)] = {{std::min(a, b) - pad, std::max(a, b) + pad},
+                                              Trend::Slopes{direction[k], 0.0, 0.0}};
+  }
+  return Evaluator<Trend>(f, w)(arguments);
+}
+
 }  // namespace durer::functions

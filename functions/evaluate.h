@@ -66,8 +66,8 @@ struct Workspace {
 
 /// Evaluates one function again and again: its frame and constants are set up once. T is double (a
 /// point), Pack (eight points), Interval (a box; encloses what points inside it give), Dual (value
-/// and gradient, by whatever the arguments' gradients refer to) or Trend (both over a box). Evaluators on one workspace
-/// must end in the opposite order of their beginning.
+/// and gradient, by whatever the arguments' gradients refer to) or Trend (both over a box).
+/// Evaluators on one workspace must end in the opposite order of their beginning.
 template <class T>
 class Evaluator {
  public:
@@ -98,6 +98,9 @@ class Evaluator {
 [[nodiscard]] Dual evaluate_gradient(const Function& f, dvec3 p, Workspace& w);
 /// Range and slopes over a box, by the first three parameters.
 [[nodiscard]] Trend evaluate_trend(const Function& f, std::span<const Interval> box, Workspace& w);
+/// Range over a part `t` of a line origin + t · direction, and as first slope that along the line.
+[[nodiscard]] Trend evaluate_along(const Function& f, dvec3 origin, dvec3 direction, Interval t,
+                                   Workspace& w);
 /// All components; `out` has f.components() places.
 void evaluate(const Function& f, std::span<const double> arguments, std::span<double> out,
               Workspace& w);

@@ -50,6 +50,10 @@ double turbulence(dvec3 p, const Octaves& octaves, NoiseGenerator generator) {
 dvec3 vturbulence(dvec3 p, const Octaves& octaves) {
   return simd::kernels().vturbulence(p, octaves);
 }
+void vturbulence(std::span<const dvec3> points, const Octaves& octaves, std::span<dvec3> out) {
+  assert(points.size() == out.size());
+  simd::kernels().vturbulence_many(points.data(), points.size(), octaves, out.data());
+}
 
 void noise_octaves(dvec3 p, double lambda, int count, NoiseGenerator generator, double* out) {
   simd::kernels().noise_octaves(p, lambda, count, generator, out);

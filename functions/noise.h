@@ -30,8 +30,18 @@ void noise(std::span<const dvec3> points, NoiseGenerator generator, std::span<do
 [[nodiscard]] Dual noise(const Dual& x, const Dual& y, const Dual& z, NoiseGenerator generator);
 
 /// Both of them over a box.
-[[nodiscard]] Trend noise(const Trend& x, const Trend& y, const Trend& z,
-                          NoiseGenerator generator);
+[[nodiscard]] Trend noise(const Trend& x, const Trend& y, const Trend& z, NoiseGenerator generator);
+
+/// Bounds of the scalar noise anywhere: its steepest slope, and how fast a slope along a direction
+/// can change along it.
+struct NoiseSteepness {
+  double slope;
+  double bend;
+};
+[[nodiscard]] NoiseSteepness steepest_noise(NoiseGenerator generator);
+/// True if the box is too large for better bounds of the noise than those that hold everywhere.
+[[nodiscard]] bool is_any_noise(const Trend& x, const Trend& y, const Trend& z,
+                                NoiseGenerator generator);
 
 /// Vector noise, about [-1, 1] per component; the same for all generators (textures §2.4).
 [[nodiscard]] dvec3 vnoise(dvec3 p);
@@ -47,6 +57,8 @@ struct Octaves {
 [[nodiscard]] double turbulence(dvec3 p, const Octaves& octaves, NoiseGenerator generator);
 /// Vector turbulence (textures §2.7), in pattern units.
 [[nodiscard]] dvec3 vturbulence(dvec3 p, const Octaves& octaves);
+/// out[i] = vturbulence(points[i]), to the last bit. `out` is as long as `points`, or the same.
+void vturbulence(std::span<const dvec3> points, const Octaves& octaves, std::span<dvec3> out);
 
 /// out[i] = noise(lambda^i * p) for i < `count`. `out` has room for the next multiple of four.
 void noise_octaves(dvec3 p, double lambda, int count, NoiseGenerator generator, double* out);

@@ -19,8 +19,9 @@ constexpr double pad = 3e-8;
 /// A box that reaches into a cell by less than this is taken to end at its border: boxes are often
 /// aligned with the lattice. Value and gradient are continuous there, and change little beyond.
 constexpr double sliver = 4e-9;
-/// A box over more cells is bounded by the range of the noise: nothing better would come out.
-constexpr int max_cells = 8;
+/// A box over more cells is bounded by what is known in its middle: looking into each cell costs
+/// more than it brings.
+constexpr int max_cells = 2;
 
 Cell cell_at(double x, double y, double z, NoiseGenerator generator) {
   return generator == 3 ? gradient_cell(gradient_lattice(), x, y, z) : table_cell(x, y, z);
@@ -106,6 +107,13 @@ Interval clamped_noise(const Interval& sum, NoiseGenerator generator) {
 
 }  // namespace
 
+// The largest that any choice of lattice rows for the eight corners of a cell gives anywhere in it,
+// rounded up from 3.884 and 19.21, 1.903 and 9.41, 1.732 and 9.21 (test_noise_steepness.cpp searches them).
+NoiseSteepness steepest_noise(NoiseGenerator generator) {
+  if (generator == 3) return {1.74, 9.25};
+  return generator == 2 ? NoiseSteepness{1.91, 9.45} : NoiseSteepness{3.9, 19.3};
+}
+
 namespace {
 
 /// The sum over a box; nothing where the box spans too many cells, or lies beyond the lattice.
@@ -149,19 +157,13 @@ namespace {
 /// cells, and costs no more than a point. Below it, the box's own bounds are much closer.
 constexpr double small_ball = 0.1;
 
-/// Longer than any gradient that was found: the longest among six million places, and on climbs from
-/// there, were 2.82, 1.41 and 1.49 for generators 1, 2 and 3. Measured with a margin, not proved.
-double steepest_noise(NoiseGenerator generator) {
-  return generator == 3 ? 1.9 : generator == 2 ? 1.8 : 3.6;
-}
-
 double square(double v) { return v * v; }
 
 /// From the value in the middle, and how far it can change until the corners.
 Interval noise_in_ball(const Interval& x, const Interval& y, const Interval& z, double radius,
                        NoiseGenerator generator) {
   Interval r = unknown_noise(x, y, z);
-  const double reach = steepest_noise(generator) * radius + pad;
+  const double reach = steepest_noise(generator).slope * radius + pad;
   if (r.nan || !(reach < 1)) return r;
   const double middle = noise(x.mid(), y.mid(), z.mid(), generator);
   return {std::max(middle - reach, 0.0), std::min(middle + reach, 1.0)};
@@ -176,10 +178,19 @@ Interval noise(Interval x, Interval y, Interval z, NoiseGenerator generator) {
   const double radius = std::sqrt(square(x.radius()) + square(y.radius()) + square(z.radius()));
   if (!(radius < small_ball)) return noise_in_ball(x, y, z, radius, generator);
   const std::optional<Sum> sum = sum_over_cells(x, y, z, generator);
-  if (!sum) return unknown_noise(x, y, z);
+  if (!sum) return noise_in_ball(x, y, z, radius, generator);
   Interval r = clamped_noise(sum->v, generator);
   r.nan = x.nan || y.nan || z.nan;
   return r;
+}
+
+bool is_any_noise(const Trend& x, const Trend& y, const Trend& z, NoiseGenerator generator) {
+  const Interval px = x.range();
+  const Interval py = y.range();
+  const Interval pz = z.range();
+  if (unknown_noise(px, py, pz).nan) return false;
+  const double radius2 = square(px.radius()) + square(py.radius()) + square(pz.radius());
+  return square(steepest_noise(generator).slope) * radius2 >= 1;
 }
 
 namespace {
@@ -199,7 +210,100 @@ Trend change_of(const Interval& v, const Trend::Slopes& slopes,
 
 }  // namespace
 
+namespace {
+
+/// Noise over a box, from value and slopes in its middle.
+Trend noise_around(const std::array<const Trend*, 3>& arguments, NoiseGenerator generator) {
+  std::array<Interval, 3> box;
+  dvec3 middle;
+  dvec3 reach;
+  for (std::size_t k = 0; k < 3; ++k) {
+    box[k] = arguments[k]->range();
+    middle[static_cast<int>(k)] = box[k].mid();
+    reach[static_cast<int>(k)] = box[k].radius();
+  }
+  Interval v = unknown_noise(box[0], box[1], box[2]);
+  if (v.nan) return Trend::erratic(v);
+  const auto [steepest, bend] = steepest_noise(generator);
+  const double radius2 = square(reach.x) + square(reach.y) + square(reach.z);
+  const double radius = std::sqrt(radius2);
+  const double swing = steepest * radius + pad;
+  const Interval any{-steepest, steepest};
+  Trend::Slopes slopes{any, any, any};
+  if (swing < 1) {
+    const Dual m = noise(Dual(middle.x, {1, 0, 0}), Dual(middle.y, {0, 1, 0}),
+                         Dual(middle.z, {0, 0, 1}), generator);
+    const bool clamped = m.v <= 0 || m.v >= 1;
+    const double linear = std::abs(m.d.x) * reach.x + std::abs(m.d.y) * reach.y +
+                          std::abs(m.d.z) * reach.z + bend * radius2 / 2 + pad;
+    const double change = clamped ? swing : std::min(swing, linear);
+    v = {std::max(m.v - change, 0.0), std::min(m.v + change, 1.0)};
+    const double turn = bend * radius + pad;
+    for (std::size_t k = 0; k < 3 && !clamped; ++k) {
+      const double d = m.d[static_cast<int>(k)];
+      slopes[k] = {std::max(d - turn, -steepest), std::min(d + turn, steepest)};
+      if (v.lo <= 0 || v.hi >= 1) slopes[k] = hull(slopes[k], 0.0);
+    }
+  }
+  return change_of(v, slopes, arguments);
+}
+
+/// True if the arguments are linear functions of the first axis alone: points of a line.
+bool are_on_line(const std::array<const Trend*, 3>& arguments) {
+  for (const Trend* a : arguments) {
+    const Trend::Slopes d{a->slope(0), a->slope(1), a->slope(2)};
+    if (!(d[0].lo == d[0].hi && d[1].lo == 0 && d[1].hi == 0 && d[2].lo == 0 && d[2].hi == 0)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Noise along a part of a line, from value and slope in its middle.
+Trend noise_along(const std::array<const Trend*, 3>& arguments, NoiseGenerator generator) {
+  dvec3 middle;
+  dvec3 direction;
+  double radius2 = 0;  // half the part's length, squared
+  for (int k = 0; k < 3; ++k) {
+    const Interval p = arguments[static_cast<std::size_t>(k)]->range();
+    middle[k] = p.mid();
+    direction[k] = arguments[static_cast<std::size_t>(k)]->slope(0).lo;
+    const double r = p.radius();
+    radius2 += r * r;
+  }
+  const double speed = std::sqrt(square(direction.x) + square(direction.y) + square(direction.z));
+  const double radius = std::sqrt(radius2);
+  const double half = radius / speed;  // in units of |direction|
+  const auto [slope_limit, bend] = steepest_noise(generator);
+  const double steepest = slope_limit * speed;
+  const double reach = slope_limit * radius + pad;
+  Interval v{0, 1};
+  Interval slope{-steepest, steepest};
+  if (reach < 1) {
+    const Dual at_middle =
+        noise(Dual(middle.x, {direction.x, 0, 0}), Dual(middle.y, {direction.y, 0, 0}),
+              Dual(middle.z, {direction.z, 0, 0}), generator);
+    const double d = at_middle.d.x;
+    const double turn = bend * radius * speed + pad * speed;
+    double swing = std::min(reach, std::abs(d) * half + bend * radius2 / 2 + pad);
+    const bool clamped = at_middle.v <= 0 || at_middle.v >= 1;
+    if (clamped) swing = reach;
+    v = {std::max(at_middle.v - swing, 0.0), std::min(at_middle.v + swing, 1.0)};
+    if (!clamped) slope = {std::max(d - turn, -steepest), std::min(d + turn, steepest)};
+    if (v.lo <= 0 || v.hi >= 1) slope = hull(slope, 0.0);
+  }
+  return {v, {slope, 0.0, 0.0}};
+}
+
+}  // namespace
+
 Trend noise(const Trend& x, const Trend& y, const Trend& z, NoiseGenerator generator) {
+  if (are_on_line({&x, &y, &z})) {
+    const Interval v = unknown_noise(x.range(), y.range(), z.range());
+    if (!v.nan && !(x.range().is_point() && y.range().is_point() && z.range().is_point())) {
+      return noise_along({&x, &y, &z}, generator);
+    }
+  }
   const Interval px = x.range();
   const Interval py = y.range();
   const Interval pz = z.range();
@@ -207,12 +311,7 @@ Trend noise(const Trend& x, const Trend& y, const Trend& z, NoiseGenerator gener
     return noise(dvec3(px.lo, py.lo, pz.lo), generator);
   }
   const std::optional<Sum> sum = sum_over_cells(px, py, pz, generator);
-  if (!sum) {
-    // No slope of the noise is steeper than this (builtin-functions §8 measured 2.5).
-    const Interval any{-4, 4};
-    const Interval v = unknown_noise(px, py, pz);
-    return v.nan ? Trend::erratic(v) : change_of(v, {any, any, any}, {&x, &y, &z});
-  }
+  if (!sum) return noise_around({&x, &y, &z}, generator);
   Interval v = clamped_noise(sum->v, generator);
   v.nan = px.nan || py.nan || pz.nan;
   const double scale = noise_scale(generator).scale;

@@ -160,10 +160,39 @@ bool Geometry::occluded(const Ray& ray, double t_from, double t_to,
   return state_->world().accel->any(query);
 }
 
+namespace {
+
+constexpr std::size_t most_casters = 12;  // beyond, the hierarchy is faster
+
+}  // namespace
+
 bool Geometry::casters(const Shaft& shaft, std::vector<Caster>& out) const {
-  constexpr std::size_t most = 12;  // beyond, the hierarchy is faster
-  std::call_once(state_->casters_found, [this] { state_->index_casters(); });
-  return state_->casters.gather(shaft, most, out);
+  return state_->caster_index().gather(shaft, most_casters, out);
+}
+bool Geometry::casters(const Sheet& sheet, std::vector<Caster>& out) const {
+  return state_->caster_index().gather(sheet, most_casters, out);
+}
+
+Geometry::Way Geometry::way_between(std::span<Caster> among, const Ray& ray, double t_from,
+                                    double t_to, GeometryScratch& scratch) const {
+  std::array<Caster*, most_casters> near;
+  std::size_t count = 0;
+  const dvec3 inverse = 1.0 / ray.d;
+  for (Caster& c : among) {
+    double enter = t_from;
+    double leave = t_to;
+    if (!BoxTree::clip(c.box, ray.o, inverse, enter, leave)) continue;
+    const bool opaque = c.lone != nullptr && (c.lone->tags[c.index].mask & blocks_light) != 0;
+    if (!opaque) return Way::unknown;
+    near[count++] = &c;
+  }
+  const double after = t_from * (1 + std::numeric_limits<double>::epsilon());
+  RayQuery query{ray, after, t_to, blocks_light, {}, &state_->parts, &scratch.sweep, true, {}};
+  for (std::size_t i = 0; i < count; ++i) {
+    near[i]->targets->nearest(*near[i]->targets, near[i]->index, query);
+    if (query.found.store != nullptr) return Way::blocked;
+  }
+  return Way::open;
 }
 
 bool Geometry::occluded_by(std::span<Caster> among, const Ray& ray, double t_from, double t_to,

@@ -173,6 +173,14 @@ class Geometry {
   /// What may cast shadows into a shaft; false, with some of them, if they are too many to ask one by
   /// one.
   bool casters(const Shaft& shaft, std::vector<Caster>& out) const;
+  /// Likewise for a sheet.
+  bool casters(const Sheet& sheet, std::vector<Caster>& out) const;
+  /// What is in the way of light.
+  enum class Way : std::uint8_t { open, blocked, unknown };
+  /// Of a ray in t_from < t < t_to, where only `among` can be: `unknown` if it comes near somebody
+  /// who may let light through.
+  [[nodiscard]] Way way_between(std::span<Caster> among, const Ray& ray, double t_from, double t_to,
+                                GeometryScratch& scratch) const;
   /// The same as `occluded`, where only `among` can be in the way. Whoever is, is moved to their front.
   bool occluded_by(std::span<Caster> among, const Ray& ray, double t_from, double t_to,
                    GeometryScratch& scratch) const;

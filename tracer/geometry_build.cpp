@@ -205,7 +205,10 @@ void Geometry::State::index_bodies(const Group& group) const {
   });
 }
 
-void Geometry::State::index_casters() const { casters = CasterIndex(world().targets()); }
+const CasterIndex& Geometry::State::caster_index() const {
+  std::call_once(casters_found, [this] { casters = CasterIndex(world().targets()); });
+  return casters;
+}
 
 void Geometry::State::set_opaque(const std::vector<bool>& by_surface) {
   translucent_shadows = false;

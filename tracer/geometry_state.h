@@ -72,7 +72,7 @@ struct Geometry::State {
   std::vector<std::unique_ptr<Group>> groups;  // those within others come first; the last: the world
   std::vector<PlacementTargets::Contents> contents;  // of the groups
   mutable std::once_flag casters_found;
-  mutable CasterIndex casters;  // of the world; made when somebody asks for it
+  mutable CasterIndex casters;  // of the world
   bool translucent_shadows = true;
 
   State(Flat flat, Hierarchy hierarchy);
@@ -80,7 +80,8 @@ struct Geometry::State {
   /// Appends the interiors of all bodies of the group that contain `p`, in the group's numbering.
   void containing(const Group& group, dvec3 p, std::vector<std::uint32_t>& out,
                   std::vector<std::uint32_t>& found, SweepState& sweep) const;
-  void index_casters() const;
+  /// Made when somebody asks for it. Thread-safe.
+  [[nodiscard]] const CasterIndex& caster_index() const;
   void set_opaque(const std::vector<bool>& by_surface);
   template <typename F>
   void each_store(F&& f) const {

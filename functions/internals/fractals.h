@@ -1,7 +1,9 @@
 // Noise and sums of noise octaves (builtin-functions §3, §5).
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "functions/internals/common.h"
@@ -47,6 +49,52 @@ T ridge_sum(const T& x, const T& y, const T& z, const double* p) {
   return value / max(offset, 1 - offset) / total;
 }
 
+/// The octaves of ridged_mf_sum() that are finer than a box: nothing is known of them but their
+/// range and how steep they can be, and that costs little.
+struct RidgedTail {
+  double lacunarity, offset, gain, falloff;
+
+  /// `signal` and `sum` before the octave with noise at (x, y, z) and amplitude `amplitude`; `left`
+  /// octaves follow, this one included.
+  [[nodiscard]] Trend operator()(const std::array<Trend, 3>& p, const Trend& signal,
+                                 const Trend& sum, double amplitude, double left,
+                                 NoiseGenerator g) const {
+    const Interval fall = offset - abs(Interval(-1, 1));
+    const Interval octave = sqr(fall);
+    const double steepest = 4 * magnitude(fall) * steepest_noise(g).slope;
+    std::array<double, 3> speed{};
+    std::array<double, 3> steepness{};
+    Trend::Slopes slopes;
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (const Trend& c : p) speed[k] += square(magnitude(c.slope(k)));
+      speed[k] = std::sqrt(speed[k]);
+      steepness[k] = magnitude(signal.slope(k));
+      slopes[k] = sum.slope(k);
+    }
+    Interval last = signal.range();
+    Interval range = sum.range();
+    for (double i = 0; i < left; ++i) {
+      const Interval weight = min(Interval(1), max(last * gain, Interval(0)));
+      last = octave * weight;
+      range += last * amplitude;
+      for (std::size_t k = 0; k < 3; ++k) {
+        steepness[k] = steepest * speed[k] * weight.hi + octave.hi * std::abs(gain) * steepness[k];
+        const double most = std::abs(amplitude) * steepness[k];
+        slopes[k] += Interval{-most, most};
+        speed[k] *= std::abs(lacunarity);
+      }
+      amplitude *= falloff;
+    }
+    return {range, slopes};
+  }
+
+ private:
+  [[nodiscard]] static double magnitude(const Interval& v) {
+    return std::max(std::abs(v.lo), std::abs(v.hi));
+  }
+  [[nodiscard]] static double square(double v) { return v * v; }
+};
+
 /// Octave weights (lacunarity^i)^-H are computed for every call; the oracle keeps those of the
 /// first call of the run for ever, which differs only in scenes with several parameter sets.
 template <class T>
@@ -57,7 +105,8 @@ T ridged_mf_sum(T x, T y, T z, const double* p) {
   const double offset = p[3];
   const double gain = p[4];
   const NoiseGenerator g = generator_of(p[5]);
-  T signal = sqr(offset - abs(signed_noise(x, y, z, g)));
+  const auto ridge = [&] { return T(sqr(offset - abs(signed_noise(x, y, z, g)))); };
+  T signal = ridge();
   T result = signal;
   const double falloff = std::pow(lacunarity, -H);
   double weight_of_octave = 1;
@@ -66,8 +115,15 @@ T ridged_mf_sum(T x, T y, T z, const double* p) {
     y *= lacunarity;
     z *= lacunarity;
     weight_of_octave *= falloff;
+    if constexpr (std::is_same_v<T, Trend>) {
+      const bool bounded = x.is_bounded() && y.is_bounded() && z.is_bounded();
+      if (bounded && signal.is_bounded() && is_any_noise(x, y, z, g)) {
+        const RidgedTail tail{lacunarity, offset, gain, falloff};
+        return tail({x, y, z}, signal, result, weight_of_octave, octaves - i, g);
+      }
+    }
     const T weight = min(T(1), max(T(signal * gain), T(0)));
-    signal = sqr(offset - abs(signed_noise(x, y, z, g))) * weight;
+    signal = ridge() * weight;
     result += signal * weight_of_octave;
   }
   return result;

@@ -103,6 +103,32 @@ struct Lattice {
   }
 };
 
+/// Vector noise of four points, by component.
+template <class Quad>
+struct VectorNoises {
+  Quad x, y, z;
+
+  /// Of coordinates `c`; only `count` of them matter.
+  explicit DURER_INLINE VectorNoises(const double (&c)[3][4], int count) {
+    NoiseLanes lanes[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      fill<typename Quad::Register, TableAxis>(lanes[axis], c[axis]);
+    }
+    Quad parts[3][4];
+    for (int i = 0; i < count; ++i) {
+      const TableCorners corners(lanes[0], i, lanes[1], i, lanes[2], i);
+      const Weights<Quad> weights(lanes[0], i, lanes[1], i, lanes[2], i);
+      for (int k = 0; k < 3; ++k) parts[k][i] = weights.parts(corners.row, 16 * k);
+    }
+    for (int i = count; i < 4; ++i) {
+      for (auto& part : parts) part[i] = part[0];
+    }
+    x = Quad::sums(parts[0][0], parts[0][1], parts[0][2], parts[0][3]);
+    y = Quad::sums(parts[1][0], parts[1][1], parts[1][2], parts[1][3]);
+    z = Quad::sums(parts[2][0], parts[2][1], parts[2][2], parts[2][3]);
+  }
+};
+
 /// The three components of vector noise; the last lane is nothing.
 template <class Quad>
 DURER_INLINE Quad vector_noise(const Weights<Quad>& w, const double* const (&row)[8]) {
@@ -252,6 +278,41 @@ DURER_INLINE dvec3 vturbulence_of(const dvec3& p, const Octaves& o) {
   });
   return to_vector(value);
 }
+/// Up to four points, with a lane each: none is idle, whatever the number of octaves is.
+template <class Quad>
+DURER_INLINE void four_vturbulences(const dvec3* p, int count, const Octaves& o, dvec3* out) {
+  alignas(32) double c[3][4] = {};
+  for (int i = 0; i < count; ++i) {
+    for (int axis = 0; axis < 3; ++axis) c[axis][i] = p[i][axis];
+  }
+  const auto all = [](double v) DURER_LAMBDA_INLINE { return Quad::of(v, v, v, v); };
+  const Quad place[3] = {Quad::load(c[0]), Quad::load(c[1]), Quad::load(c[2])};
+  Quad sum[3] = {all(0), all(0), all(0)};
+  double frequency = 1;
+  double weight = 1;
+  for (int octave = 0; octave < o.count; ++octave) {
+    for (int axis = 0; axis < 3; ++axis) (all(frequency) * place[axis]).store(c[axis]);
+    const VectorNoises<Quad> noises(c, count);
+    sum[0] = sum[0] + all(weight) * noises.x;
+    sum[1] = sum[1] + all(weight) * noises.y;
+    sum[2] = sum[2] + all(weight) * noises.z;
+    frequency *= o.lambda;
+    weight *= o.omega;
+  }
+  for (int axis = 0; axis < 3; ++axis) sum[axis].store(c[axis]);
+  for (int i = 0; i < count; ++i) out[i] = {c[0][i], c[1][i], c[2][i]};
+}
+template <class Quad>
+DURER_INLINE void vturbulence_many_of(const dvec3* p, std::size_t n, const Octaves& o,
+                                      dvec3* out) {
+  std::size_t done = 0;
+  for (; n - done >= 4; done += 4) four_vturbulences<Quad>(p + done, 4, o, out + done);
+  if (n - done == 1) {
+    out[done] = vturbulence_of<Quad>(p[done], o);
+  } else if (n > done) {
+    four_vturbulences<Quad>(p + done, static_cast<int>(n - done), o, out + done);
+  }
+}
 /// Sum of the octaves' sizes, component by component, each half of the one before.
 template <class Quad>
 DURER_INLINE dvec3 vfolded_of(const dvec3& p, int n) {
@@ -275,20 +336,26 @@ DURER_INLINE dvec3 vfolded_of(const dvec3& p, int n) {
   target void noise_many(const dvec3* p, std::size_t n, int g, double* out) {                    \
     noise_many_of<Quad>(p, n, g, out);                                                           \
   }                                                                                              \
-  target dvec3 vnoise(const dvec3& p) { return vnoise_of<Quad>(p); }                                    \
+  target dvec3 vnoise(const dvec3& p) { return vnoise_of<Quad>(p); }                             \
   target void vnoise_many(const dvec3* p, std::size_t n, dvec3* out) {                           \
     vnoise_many_of<Quad>(p, n, out);                                                             \
   }                                                                                              \
-  target double turbulence(const dvec3& p, const Octaves& o, int g) {                                   \
+  target double turbulence(const dvec3& p, const Octaves& o, int g) {                            \
     return turbulence_of<Quad>(p, o, g);                                                         \
   }                                                                                              \
-  target dvec3 vturbulence(const dvec3& p, const Octaves& o) { return vturbulence_of<Quad>(p, o); }     \
-  target void noise_octaves(const dvec3& p, double lambda, int n, int g, double* out) {                 \
+  target dvec3 vturbulence(const dvec3& p, const Octaves& o) {                                   \
+    return vturbulence_of<Quad>(p, o);                                                           \
+  }                                                                                              \
+  target void vturbulence_many(const dvec3* p, std::size_t n, const Octaves& o, dvec3* out) {    \
+    vturbulence_many_of<Quad>(p, n, o, out);                                                     \
+  }                                                                                              \
+  target void noise_octaves(const dvec3& p, double lambda, int n, int g, double* out) {          \
     noise_octaves_of<Quad>(p, lambda, n, g, out);                                                \
   }                                                                                              \
-  target dvec3 vfolded(const dvec3& p, int n) { return vfolded_of<Quad>(p, n); }                        \
-  constexpr NoiseKernels table{noise,      noise_many,  vnoise,        vnoise_many,              \
-                               turbulence, vturbulence, noise_octaves, vfolded};                 \
+  target dvec3 vfolded(const dvec3& p, int n) { return vfolded_of<Quad>(p, n); }                 \
+  constexpr NoiseKernels table{noise,      noise_many,  vnoise,           vnoise_many,           \
+                               turbulence, vturbulence, vturbulence_many, noise_octaves,         \
+                               vfolded};                                                         \
   }
 
 namespace {

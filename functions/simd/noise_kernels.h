@@ -15,6 +15,7 @@ struct NoiseKernels {
   void (*vnoise_many)(const dvec3* points, std::size_t n, dvec3* out);
   double (*turbulence)(const dvec3& p, const Octaves& octaves, int generator);
   dvec3 (*vturbulence)(const dvec3& p, const Octaves& octaves);
+  void (*vturbulence_many)(const dvec3* points, std::size_t n, const Octaves& octaves, dvec3* out);
   void (*noise_octaves)(const dvec3& p, double lambda, int n, int generator, double* out);
   dvec3 (*vfolded)(const dvec3& p, int n);
 };

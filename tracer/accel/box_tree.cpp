@@ -6,8 +6,10 @@
 namespace durer::tracer {
 
 Bounds3 BoxTree::grown(Bounds3 b) {
+  // What has no end on one side has one on the other, and that is to stay.
+  const auto size = [](double v) { return std::abs(v) < unbounded ? std::abs(v) : 0.0; };
   for (int i = 0; i < 3; ++i) {
-    const double pad = 1e-9 * std::max({1e-3, std::abs(b.lo[i]), std::abs(b.hi[i])});
+    const double pad = 1e-9 * std::max({1e-3, size(b.lo[i]), size(b.hi[i])});
     b.lo[i] -= pad;
     b.hi[i] += pad;
   }

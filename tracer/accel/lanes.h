@@ -72,6 +72,20 @@ DURER_INLINE Double4 root_of(Double4 v) {
 #endif
 }
 
+DURER_INLINE Float8 root_of(Float8 v) {
+#ifdef __SSE2__
+  __m128 half[2];
+  std::memcpy(half, &v, sizeof v);
+  half[0] = _mm_sqrt_ps(half[0]);
+  half[1] = _mm_sqrt_ps(half[1]);
+  std::memcpy(&v, half, sizeof v);
+  return v;
+#else
+  for (int i = 0; i < 8; ++i) v[i] = std::sqrt(v[i]);
+  return v;
+#endif
+}
+
 /// A bit for every lane that is set.
 DURER_INLINE unsigned bits_of_8(Int8 mask) {
 #ifdef __SSE2__

@@ -16,6 +16,9 @@ struct NoisePattern {
   };
   void prepare(const PatternContext& context) { generator = context.noise_generator; }
   double operator()(dvec3 p) const { return functions::noise(p, generator); }
+  void evaluate(std::span<const dvec3> points, double* values) const {
+    functions::noise(points, generator, {values, points.size()});
+  }
 };
 
 }  // namespace durer::tracer::patterns

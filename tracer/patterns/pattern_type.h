@@ -52,6 +52,9 @@ struct PatternType : scene::PatternInfo {
   void (*prepare)(std::span<const double> args, const PatternContext& context,
                   PatternState& state) = nullptr;
   double (*evaluate)(const PatternState& state, const dvec3& p, const SurfaceView* view) = nullptr;
+  /// The same at several points, away from surfaces.
+  void (*evaluate_all)(const PatternState& state, std::span<const dvec3> points,
+                       double* values) = nullptr;
   /// Bumps of a kind of their own: what becomes of the normal `n` at `p`. Null: the slope of
   /// `evaluate` makes the bumps.
   dvec3 (*perturb)(const PatternState& state, const dvec3& p, const dvec3& n, double amount) = nullptr;
@@ -88,6 +91,18 @@ double evaluate(const PatternState& state, const dvec3& p,
     return state.as<P>()(p, view);
   } else {
     return state.as<P>()(p);
+  }
+}
+
+template <typename P>
+void evaluate_all(const PatternState& state, std::span<const dvec3> points, double* values) {
+  const P& pattern = state.as<P>();
+  if constexpr (requires { pattern.evaluate(points, values); }) {
+    pattern.evaluate(points, values);
+  } else {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      values[i] = evaluate<P>(state, points[i], nullptr);
+    }
   }
 }
 
@@ -138,7 +153,8 @@ struct PatternTraits {
 /// Describes the pattern P: default members, `operands` (optional), `samples`, an optional
 /// `prepare()` for what depends on operands alone (or `prepare(context)`), and
 /// `double operator()(dvec3) const`, which may take a `const SurfaceView*` too. An optional
-/// `dvec3 perturb(dvec3 p, dvec3 n, double amount) const` is its form as a normal.
+/// `dvec3 perturb(dvec3 p, dvec3 n, double amount) const` is its form as a normal, an optional
+/// `void evaluate(std::span<const dvec3>, double*) const` a faster one for several points.
 template <typename P>
 constexpr PatternType describe_pattern(std::string_view name, std::string_view doc,
                                        PatternTraits traits) {
@@ -169,6 +185,7 @@ constexpr PatternType describe_pattern(std::string_view name, std::string_view d
   }
   type.prepare = &detail::prepare<P>;
   type.evaluate = &detail::evaluate<P>;
+  type.evaluate_all = &detail::evaluate_all<P>;
   type.samples = P::samples;
   return type;
 }

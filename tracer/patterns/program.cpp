@@ -16,6 +16,10 @@ dvec3 transform_point(const PatternState& state, const dvec3& p) {
   return state.as<Affine>().point(p);
 }
 
+void transform_points(const PatternState& state, std::span<dvec3> points) {
+  for (dvec3& p : points) p = transform_point(state, p);
+}
+
 }  // namespace
 
 double shape_wave(scene::Wave wave, float exponent, double value) {
@@ -98,13 +102,31 @@ void PatternStore::add_step(const scene::Warp& warp) {
   Step step;
   if (warp.type == scene::none) {
     step.apply = &transform_point;
+    step.apply_all = &transform_points;
     ::new (step.state.bytes.data()) Affine(warp.transform->backward);
   } else {
     const WarpType& type = *warp_types()[warp.type];
     type.prepare(warp.args, step.state);
     step.apply = type.apply;
+    step.apply_all = type.apply_all;
   }
   steps_.push_back(step);
+}
+
+void PatternStore::warp(const PatternProgram& program, std::span<dvec3> points) const {
+  if (program.moved) {
+    for (dvec3& p : points) p = program.to_pattern.point(p);
+  }
+  for (std::uint32_t i = program.first_step; i < program.end_step; ++i) {
+    steps_[i].apply_all(steps_[i].state, points);
+  }
+  for (dvec3& p : points) p = representable(p);
+}
+
+void PatternStore::values(const PatternProgram& program, std::span<const dvec3> warped,
+                          double* out) {
+  program.type->evaluate_all(program.state, warped, out);
+  for (std::size_t i = 0; i < warped.size(); ++i) out[i] = shaped(program, out[i]);
 }
 
 }  // namespace durer::tracer

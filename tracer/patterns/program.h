@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -51,23 +52,31 @@ class PatternStore {
     return representable(q);
   }
 
+  /// The same for several points, in place.
+  void warp(const PatternProgram& program, std::span<dvec3> points) const;
+
   /// The value at a warped point. `view`: what a ray sees there, or null.
   [[nodiscard]] static double value(const PatternProgram& program, const dvec3& warped,
                                     const SurfaceView* view = nullptr) {
-    double v = program.type->evaluate(program.state, warped, view);
+    return shaped(program, program.type->evaluate(program.state, warped, view));
+  }
+  /// The values at several warped points away from surfaces.
+  static void values(const PatternProgram& program, std::span<const dvec3> warped, double* out);
+
+ private:
+  struct Step {
+    dvec3 (*apply)(const PatternState& state, const dvec3& p) = nullptr;
+    void (*apply_all)(const PatternState& state, std::span<dvec3> points) = nullptr;
+    PatternState state;
+  };
+
+  [[nodiscard]] static double shaped(const PatternProgram& program, double v) {
     // The modulus is a little above 1 so that the value 1 stays 1 and finds the last entry.
     if (program.frequency != 0) v = remainder(v * program.frequency + program.phase, 1.00001);
     if (v < 0) v -= floored(v);
     return program.wave == scene::Wave::ramp ? v
                                              : shape_wave(program.wave, program.wave_exponent, v);
   }
-
- private:
-  struct Step {
-    dvec3 (*apply)(const PatternState& state, const dvec3& p) = nullptr;
-    PatternState state;
-  };
-
   // Keeps points representable for the patterns' whole-number arithmetic; NaN becomes a bound.
   [[nodiscard]] static dvec3 representable(const dvec3& p) {
     return {representable(p.x), representable(p.y), representable(p.z)};

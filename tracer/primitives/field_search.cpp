@@ -7,9 +7,6 @@
 namespace durer::tracer {
 namespace {
 
-/// Bounds of the slopes are made anew after so many halvings.
-constexpr int halvings = 3;
-
 /// NaN counts as outside.
 int sign_of(double g) { return g <= 0 ? -1 : 1; }
 
@@ -109,8 +106,8 @@ void FieldSearch::walk(double t0, double t1) {
   }
 }
 
-/// The part of t0 … t1 where the linear bounds of the cell, m + t · slope ± error on the line, leave
-/// the sign open. Signs before it are settled.
+/// The part of t0 … t1 where the linear bounds of the cell, m + t · slope ± error on the line,
+/// leave the sign open. Signs before it are settled.
 FieldSearch::Band FieldSearch::clip(const Line& line, double t0, double t1) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Band band{t0, t1, infinity, 0, 0, false};
@@ -163,7 +160,7 @@ void FieldSearch::examine(const FieldDetail& cell, const Line& line, double t0, 
     last_t_ = end;
     last_g_ = gb;
     last_tape_ = tape_;
-    return resolve({begin, ga, end, gb, slopes}, 0);
+    return resolve({begin, ga, end, gb, slopes});
   }
   // One root at most.
   const int rising = slope > 0 ? 1 : -1;
@@ -224,26 +221,6 @@ std::optional<double> FieldSearch::solve(const Rise& rise) {
   return t;
 }
 
-/// The axis-parallel box of a part of the line.
-std::array<Interval, 3> FieldSearch::box_of(double a, double b) const {
-  const dvec3 p = ray_.at(a);
-  const dvec3 q = ray_.at(b);
-  std::array<Interval, 3> box;
-  for (int k = 0; k < 3; ++k) {
-    const double pad = 1e-15 * (std::abs(p[k]) + std::abs(q[k]));
-    box[static_cast<std::size_t>(k)] = {std::min(p[k], q[k]) - pad, std::max(p[k], q[k]) + pad};
-  }
-  return box;
-}
-
-/// True if bounds of the value alone tell that the sign does not change.
-bool FieldSearch::keeps_sign(const Piece& piece) const {
-  const Interval range =
-      functions::evaluate_interval(*tape_, box_of(piece.a, piece.b), workspace_);
-  const double threshold = field_.threshold();
-  return !range.nan && (range.lo > threshold || range.hi <= threshold);
-}
-
 /// Same sign at both ends: true if the slopes between do not suffice to reach zero.
 bool FieldSearch::stays_clear(const Piece& piece) {
   const double height = sign_of(piece.ga) > 0 ? 1 : -1;
@@ -257,10 +234,9 @@ bool FieldSearch::stays_clear(const Piece& piece) {
   return ga * up - gb * down + down * up * (piece.b - piece.a) > 0;
 }
 
-/// Settles the signs along a piece in which several roots may lie. Samples are cheapest; bounds of
-/// the value are next, and are asked wherever they may be all that it takes. Bounds of the slopes cost
-/// several times as much, so they are made anew only after some halvings.
-void FieldSearch::resolve(Piece piece, int depth) {
+/// Settles the signs along a piece in which several roots may lie: by bounds of value and slope
+/// along it, or in halves.
+void FieldSearch::resolve(Piece piece) {
   const double length = piece.b - piece.a;
   const int before = sign_of(piece.ga);
   const int after = sign_of(piece.gb);
@@ -275,28 +251,21 @@ void FieldSearch::resolve(Piece piece, int depth) {
     if (before != after) settle(after, bracketed_root(piece));
     return;
   }
-  if (before == after && keeps_sign(piece)) return;
-  const bool promising = before != after || depth > halvings;
-  if ((promising && depth % halvings == halvings - 1) || !piece.slope.is_bounded()) {
-    const Trend trend =
-        functions::evaluate_trend(*tape_, box_of(piece.a, piece.b), workspace_);
-    if (const Interval range = trend.range(); !range.nan) {
-      const double threshold = field_.threshold();
-      if (before == after && (range.lo > threshold || range.hi <= threshold)) return;
-      Interval slope;
-      for (std::size_t k = 0; k < 3; ++k) {
-        slope += trend_detail::product(trend.slope(k), ray_.d[static_cast<int>(k)]);
-      }
-      if (!slope.nan) {
-        piece.slope = narrowed(piece.slope, slope);
-        if (decided()) return;
-      }
+  const Trend trend =
+      functions::evaluate_along(*tape_, ray_.o, ray_.d, {piece.a, piece.b}, workspace_);
+  if (const Interval range = trend.range(); !range.nan) {
+    const double threshold = field_.threshold();
+    if (before == after && (range.lo > threshold || range.hi <= threshold)) return;
+    const Interval slope = trend.slope(0);
+    if (!slope.nan) {
+      piece.slope = narrowed(piece.slope, slope);
+      if (decided()) return;
     }
   }
   const double middle = piece.a + length / 2;
   const double g = value(middle);
-  resolve({piece.a, piece.ga, middle, g, piece.slope}, depth + 1);
-  if (!done_) resolve({middle, g, piece.b, piece.gb, piece.slope}, depth + 1);
+  resolve({piece.a, piece.ga, middle, g, piece.slope});
+  if (!done_) resolve({middle, g, piece.b, piece.gb, piece.slope});
 }
 
 /// A change of sign between the ends, by false position with halved weights (the Illinois rule);

@@ -17,12 +17,11 @@ class FieldSearch {
  public:
   /// Looks for t_from <= t < t_to, in units of |ray.d|. Parts of the surface shorter than `least`
   /// (object units) along the line may be overlooked, if the line only grazes them.
-  FieldSearch(const FunctionField& field, const Ray& ray, double t_from, double t_to,
-              double least);
+  FieldSearch(const FunctionField& field, const Ray& ray, double t_from, double t_to, double least);
 
   /// Calls take(t, sign) for each change of sign inside the stretch, `sign` being the one that
-  /// follows (+1: outside), and once at its beginning, if the range holds it. It returns true to end
-  /// the search. The sign at the end is the result; 0 if it was not reached.
+  /// follows (+1: outside), and once at its beginning, if the range holds it. It returns true to
+  /// end the search. The sign at the end is the result; 0 if it was not reached.
   template <typename Take>
   int run(const Stretch& stretch, Take take) {
     stretch_ = stretch;
@@ -39,8 +38,8 @@ class FieldSearch {
   /// A sign that is known to hold from t on.
   void settle(int sign, double t);
   [[nodiscard]] double value(double t);
-  /// The linear function of a cell along the line, at + t · slope, and above and below what the sign
-  /// is settled.
+  /// The linear function of a cell along the line, at + t · slope, and above and below what the
+  /// sign is settled.
   struct Line {
     double at, slope, above, below;
   };
@@ -60,10 +59,8 @@ class FieldSearch {
     double b, gb;
     Interval slope;
   };
-  void resolve(Piece piece, int depth);
+  void resolve(Piece piece);
   [[nodiscard]] static bool stays_clear(const Piece& piece);
-  [[nodiscard]] std::array<Interval, 3> box_of(double a, double b) const;
-  [[nodiscard]] bool keeps_sign(const Piece& piece) const;
   struct Rise {
     double begin, end;     // where to look
     double limit;          // the root, if there is one, lies before
@@ -94,7 +91,7 @@ class FieldSearch {
   Stretch stretch_{};
   bool (*take_)(void* context, double t, int sign) = nullptr;
   void* context_ = nullptr;
-  int sign_ = 0;              // in front of what comes next; 0: not known
+  int sign_ = 0;  // in front of what comes next; 0: not known
   bool started_ = false;
   bool done_ = false;
 };

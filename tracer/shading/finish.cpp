@@ -105,9 +105,15 @@ vec3 highlight(const Finish& f, const dvec3& d, const dvec3& n, const dvec3& l, 
   }
   if (f.specular > 0) {
     const dvec3 half = (l - d) / 2.0;
-    const double length = glm::length(half);
-    const double s = length > 0 ? glm::dot(half, n) / length : 0;
-    if (s > f.least_specular) sum += f.specular * f.specular_exponent.of(s);
+    const double along = glm::dot(half, n);
+    const double square = glm::dot(half, half);
+    // Most highlights are too weak; to see this takes no root.
+    constexpr double rounding = 1e-12;
+    const double least = f.least_specular * (1 - rounding);
+    if (along > 0 && along * along > least * least * square) {
+      const double s = along / std::sqrt(square);
+      if (s > f.least_specular) sum += f.specular * f.specular_exponent.of(s);
+    }
   }
   if (sum == 0) return vec3(0.0F);
   const vec3 white(static_cast<float>(sum));

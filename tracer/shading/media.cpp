@@ -1,6 +1,7 @@
 #include "tracer/shading/media.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "tracer/chi_square.h"
@@ -93,6 +94,25 @@ vec3 MediaStore::density(const MediaProgram& media, dvec3 p) const {
     product *= pigments_.at(densities_[i], p).rgb;
   }
   return product;
+}
+
+void MediaStore::densities(const MediaProgram& media, std::span<const dvec3> points,
+                           vec3* out) const {
+  std::fill_n(out, points.size(), media.density);
+  for (std::uint32_t i = media.first_density; i < media.end_density; ++i) {
+    std::array<dvec3, most_points> left;  // where there is something so far
+    std::array<std::size_t, most_points> of;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      if (black(out[k])) continue;
+      left[count] = points[k];
+      of[count++] = k;
+    }
+    if (count == 0) return;
+    std::array<Colour, most_points> colours;
+    pigments_.at(densities_[i], std::span(left).first(count), colours.data());
+    for (std::size_t k = 0; k < count; ++k) out[of[k]] *= colours[k].rgb;
+  }
 }
 
 double phase_factor(const MediaProgram& media, double cosine) {

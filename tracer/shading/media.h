@@ -60,6 +60,9 @@ class MediaStore {
 
   /// Density of one of its media at a world point, by colour.
   [[nodiscard]] vec3 density(const MediaProgram& media, dvec3 p) const;
+  /// The same at several points, at most `most_points`.
+  static constexpr std::size_t most_points = PigmentStore::most_points;
+  void densities(const MediaProgram& media, std::span<const dvec3> points, vec3* out) const;
 
  private:
   PigmentStore pigments_;

@@ -1,6 +1,7 @@
 #include "tracer/shading/pigment.h"
 
 #include <algorithm>
+#include <array>
 
 #include "tracer/patterns/map_search.h"
 
@@ -59,6 +60,24 @@ Colour PigmentStore::at(PigmentId id, const dvec3& p, const SurfaceView* view) c
     return node.pattern.type->colour(node.pattern.state, warped);
   }
   return select(node, PatternStore::value(node.pattern, warped, view), warped, view);
+}
+
+void PigmentStore::at(PigmentId id, std::span<dvec3> points, Colour* out) const {
+  const Node& node = nodes_[id];
+  if (node.pattern.type == nullptr) {
+    std::fill_n(out, points.size(), node.colour);
+    return;
+  }
+  patterns_.warp(node.pattern, points);
+  if (node.pattern.type->colour != nullptr) {
+    for (const dvec3& p : points) *out++ = node.pattern.type->colour(node.pattern.state, p);
+    return;
+  }
+  std::array<double, most_points> values;
+  PatternStore::values(node.pattern, points, values.data());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    out[i] = select(node, values[i], points[i], nullptr);
+  }
 }
 
 bool PigmentStore::covers(PigmentId id, const dvec3& p, const SurfaceView* view) const {

@@ -28,6 +28,10 @@ class PigmentStore {
   /// `view`: what a ray sees there, for patterns that ask; null away from surfaces.
   [[nodiscard]] Colour at(PigmentId id, const dvec3& p, const SurfaceView* view = nullptr) const;
 
+  /// The same at several world points away from surfaces. `points` are moved about meanwhile.
+  static constexpr std::size_t most_points = 16;
+  void at(PigmentId id, std::span<dvec3> points, Colour* out) const;
+
   /// False where it shows nothing: beyond a picture that is shown once, and only there (textures
   /// §14.4).
   [[nodiscard]] bool covers(PigmentId id, const dvec3& p, const SurfaceView* view = nullptr) const;

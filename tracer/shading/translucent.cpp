@@ -75,6 +75,21 @@ dvec3 diffuse_transport(const Translucency& t, double distance) {
   return t.scattering / t.extinction / (4 * std::numbers::pi) * (part(below) + part(above));
 }
 
+SingleDepths::SingleDepths(const Translucency& matter, double length)
+    : extinction_(matter.extinction) {
+  for (int i = 0; i < 3; ++i) share_[i] = -std::expm1(-2 * extinction_[i] * length);
+}
+
+double SingleDepths::at(int component, double u) const {
+  return -std::log1p(-u * share_[component]) / (2 * extinction_[component]);
+}
+
+dvec3 SingleDepths::weight(double depth) const {
+  const dvec3 kept = glm::exp(-2 * depth * extinction_);
+  const dvec3 density = 2.0 * extinction_ * kept / share_;
+  return extinction_ * kept * (3 / (density.x + density.y + density.z));
+}
+
 double transmittance(const Translucency& t, double cosine) {
   return 1 - fresnel_reflectance(std::abs(cosine), t.eta);
 }

@@ -40,6 +40,23 @@ struct Translucency {
 /// the transmission of the surface at both places.
 [[nodiscard]] dvec3 diffuse_transport(const Translucency& matter, double distance);
 
+/// Depths, along the view below a surface, where light may have been scattered once: random ones,
+/// dense where much of it comes from. Light is dimmed on its way out, and counts as dimmed once more
+/// (as the oracle has it), so they thin out by the square of that.
+class SingleDepths {
+ public:
+  /// `length`: in mm, positive.
+  SingleDepths(const Translucency& matter, double length);
+  /// In mm, as one component would have it. `u`: random, 0…1.
+  [[nodiscard]] double at(int component, double u) const;
+  /// What light at a depth is worth, by component, where components propose equally many depths.
+  [[nodiscard]] dvec3 weight(double depth) const;
+
+ private:
+  dvec3 extinction_;
+  dvec3 share_;  // of an endless ray's depths, those that are below `length`
+};
+
 /// Share of light that passes the surface at an angle, either way.
 [[nodiscard]] double transmittance(const Translucency& matter, double cosine);
 

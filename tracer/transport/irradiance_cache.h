@@ -41,7 +41,8 @@ struct IrradianceSum {
 };
 
 /// Samples in a hash grid of many levels: each lies in all cells, at most eight, of the level whose
-/// cells are as large as its reach. Answers do not depend on anything but the order of `add`.
+/// cells are as large as its reach. Cells hold what a first look needs, roughly, eight samples side by
+/// side; only those that may count are asked. Answers do not depend on anything but the order of `add`.
 class IrradianceCache {
  public:
   static constexpr std::uint32_t max_depth = 20;
@@ -60,23 +61,43 @@ class IrradianceCache {
   static constexpr int levels = 64;
   static constexpr int level_of_one = 32;  // whose cells have side 1
 
+  static constexpr std::size_t lanes = 8;
+  using Eight = std::array<float, lanes>;
+
   struct Slot {
     std::uint64_t cell = 0;
-    std::uint32_t first = nothing;  // index into entries_
+    std::uint32_t first = nothing;  // index into blocks_
   };
-  struct Entry {
-    std::uint32_t sample = 0;
-    std::uint32_t next = nothing;
+  // Some of the samples of a cell, the latest first. Lanes are taken from the last to the first; those
+  // that are not yet are infinitely far away.
+  struct alignas(64) Block {
+    std::array<Eight, 3> p;  // from the origin
+    Eight radius;
+    dvec3 origin;
+    std::uint32_t next;  // of earlier ones
+    std::uint32_t open;  // lanes
+    std::array<std::uint32_t, lanes> sample;
+    std::array<Eight, 3> n, to_nearest;
+    Eight nearest;
   };
+  // A question as blocks of a level see it.
+  struct Look;
 
   [[nodiscard]] static std::uint64_t cell(std::uint32_t depth, int level, dvec3 scaled);
+  [[nodiscard]] static unsigned near_lanes(const Block& block, const Look& look);
+  void put(std::uint32_t id, std::uint32_t& first, dvec3 origin);
+  void look_into_all(const IrradianceQuery& query, IrradianceSum& sum) const;
+  void look_wide(const IrradianceQuery& query, IrradianceSum& sum) const;
   [[nodiscard]] std::uint32_t& first_in(std::uint64_t cell);
   [[nodiscard]] std::uint32_t first_in(std::uint64_t cell) const;
+  void mark(std::uint64_t cell);
+  [[nodiscard]] bool is_marked(std::uint64_t cell) const;
   void grow();
 
   std::vector<IrradianceSample> samples_;
-  std::vector<Entry> entries_;
+  std::vector<Block> blocks_;
   std::vector<Slot> slots_;  // open addressing; a power of two
+  std::vector<std::uint64_t> marks_;  // a bit for every cell: most questions need to see no more
   std::size_t used_ = 0;
   std::array<std::uint64_t, max_depth + 1> levels_used_{};  // bits
 };

@@ -10,10 +10,6 @@
 namespace durer::tracer {
 namespace {
 
-float distance(vec3 a, vec3 b) {
-  return std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z);
-}
-
 bool black(vec3 c) { return c == vec3(0.0F); }
 
 // Depths beyond which nothing is left in single precision.
@@ -118,6 +114,11 @@ void MediaIntegrator::find_leader() {
     scatters_ = scatters_ || m.scatters;
     dims_ = dims_ || m.dims;
     collects_ = collects_ || m.collects;
+    isotropic_ = isotropic_ && m.phase == scene::Phase::isotropic;
+  }
+  matter_ = {};
+  for (std::uint32_t i = first_; i < end_ && !varies_; ++i) {
+    if (!setting_.shadow || media(i).dims) matter_.add(media(i), media(i).density);
   }
   has_photons_ = !setting_.shadow && scatters_ && collects_ && scratch_.photons != nullptr &&
                  !scratch_.photons->media.empty();
@@ -176,95 +177,7 @@ MediaIntegrator::Sample MediaIntegrator::sampled(const Interval& interval) {
     }
   }
   const auto count = static_cast<float>(n);
-  return {sum.colour / count, sum.depth / count};
-}
-
-namespace {
-
-// Steps of method 3, which leave out the last of `steps + 1` equal parts: as the oracle has it.
-int steps_of(const MediaProgram& m) { return std::max(2, m.min_samples / 2 + 1); }
-
-}  // namespace
-
-// What `adaptive` comes to where all samples are the same.
-MediaIntegrator::Sample MediaIntegrator::uniform(const Interval& interval) {
-  const int steps = steps_of(*leader_);
-  const Sample s = at(interval, 0);
-  const vec3 dimming = glm::exp(-s.depth / static_cast<float>(steps));
-  vec3 sum(0.0F);
-  vec3 dim(1.0F);
-  for (int j = 0; j < steps; ++j, dim *= dimming) sum += s.colour * dim;
-  return {sum / static_cast<float>(steps), s.depth};
-}
-
-// Method 3 (participating-and-global §1.9): equal steps, each divided where samples differ.
-MediaIntegrator::Sample MediaIntegrator::adaptive(const Interval& interval) {
-  const MediaProgram& m = *leader_;
-  const int steps = steps_of(m);
-  const auto count = static_cast<float>(steps);
-  const double step = 1.0 / (steps + 1);
-  const auto shake = [&] { return m.jitter == 0 ? 0 : step * m.jitter * (random() - 0.5); };
-  Sample sum;
-  double before = 0;
-  Sample last = at(interval, shake());
-  for (int j = 1; j <= steps; ++j) {
-    const double u = j * step;
-    const Sample next = at(interval, u + shake());
-    const Sample mean = refine(interval, before, u, last, next, m.aa_level - 1);
-    sum.colour += mean.colour * glm::exp(-sum.depth / count);
-    sum.depth += mean.depth;
-    before = u;
-    last = next;
-  }
-  return {sum.colour / count, sum.depth / count};
-}
-
-// The mean between two places, by Simpson-like weights that the oracle has chosen.
-MediaIntegrator::Sample MediaIntegrator::refine(const Interval& interval, double a, double b,
-                                                const Sample& at_a, const Sample& at_b,
-                                                int level) {
-  const double mid = (a + b) / 2;
-  const double jitter = leader_->jitter;
-  const Sample at_mid = at(interval, jitter == 0 ? mid : mid + jitter * (b - a) * (random() - 0.5));
-  if (level <= 0) {
-    return {(at_a.colour + at_mid.colour + at_b.colour) / 3.0F,
-            (at_a.depth + at_mid.depth + at_b.depth) / 3.0F};
-  }
-  const auto half = [&](double from, double to, const Sample& first, const Sample& second,
-                        const Sample& outer) {
-    if (distance(first.colour, second.colour) > aa_threshold_) {
-      const Sample r = refine(interval, from, to, first, second, level - 1);
-      return Sample{r.colour / 2.0F, r.depth / 2.0F};
-    }
-    return Sample{outer.colour / 3.0F + at_mid.colour / 6.0F,
-                  outer.depth / 3.0F + at_mid.depth / 6.0F};
-  };
-  const Sample left = half(a, mid, at_a, at_mid, at_a);
-  const Sample right = half(mid, b, at_mid, at_b, at_b);
-  return {left.colour + right.colour, left.depth + right.depth};
-}
-
-MediaIntegrator::Sample MediaIntegrator::at(const Interval& interval, double u) {
-  const double t = interval.t + u * interval.length;
-  const dvec3 p = ray_.at(t);
-  vec3 extinction(0.0F);
-  vec3 emission(0.0F);
-  vec3 scattering(0.0F);
-  for (std::uint32_t i = first_; i < end_; ++i) {
-    const MediaProgram& m = media(i);
-    if (setting_.shadow && !m.dims) continue;
-    const vec3 density = m.varies ? scene_.media.density(m, p) : m.density;
-    extinction += density * m.extinction;
-    emission += density * m.emission;
-    scattering += density * m.scattering;
-  }
-  const auto length = static_cast<float>(interval.length);
-  if (setting_.shadow) return {vec3(0.0F), extinction * length};
-  if (!black(scattering)) {
-    if (interval.lit) emission += scattering * scattered(t, p);
-    if (has_photons_) emission += scattering * photons_at(p);
-  }
-  return {emission * length, extinction * length};
+  return {0, sum.colour / count, sum.depth / count};
 }
 
 // As methods 1 and 2 have it: seen through the interval's own depth before it.
@@ -272,29 +185,6 @@ MediaIntegrator::Sample MediaIntegrator::dimmed(const Interval& interval, double
   Sample s = at(interval, u);
   if (!black(s.colour)) s.colour *= glm::exp(s.depth * static_cast<float>(-u));
   return s;
-}
-
-// Light of all lamps that shine on `p`, by their directions.
-vec3 MediaIntegrator::scattered(double t, dvec3 p) {
-  vec3 sum(0.0F);
-  for (const LampSpan& span : scratch_.lamp_spans) {
-    if (t < span.from || t > span.to) continue;
-    const Light& light = scene_.lights[span.light];
-    const Incidence in = incidence(light, p);
-    if (dark(in.colour)) continue;
-    const vec3 arriving =
-        tracer_.shadowed(light, in, p, setting_.inside, {setting_.gathering, collects_});
-    if (dark(arriving)) continue;
-    sum += static_cast<float>(mean_phase(glm::dot(ray_.d, in.l))) * arriving;
-  }
-  return sum;
-}
-
-// The oracle takes the mean of all media, whether they scatter or not.
-double MediaIntegrator::mean_phase(double cosine) const {
-  double factor = 0;
-  for (std::uint32_t i = first_; i < end_; ++i) factor += phase_factor(media(i), cosine);
-  return factor / (end_ - first_);
 }
 
 double MediaIntegrator::random() { return next_random(scratch_.noise); }

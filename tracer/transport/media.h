@@ -37,10 +37,17 @@ class MediaIntegrator {
   void find_stretches(std::vector<Interval>& out);
 
  private:
-  // One place: the light it adds and the optical depth, both for a whole interval.
-  struct Sample {
-    vec3 colour{0.0F};
-    vec3 depth{0.0F};
+  using Sample = MediaSample;
+  // What media do at a place, per unit of length.
+  struct Matter {
+    vec3 extinction{0.0F};
+    vec3 emission{0.0F};
+    vec3 scattering{0.0F};
+    void add(const MediaProgram& m, vec3 density) {
+      extinction += density * m.extinction;
+      emission += density * m.emission;
+      scattering += density * m.scattering;
+    }
   };
   [[nodiscard]] const MediaProgram& media(std::uint32_t i) const;
   void find_leader();
@@ -51,11 +58,18 @@ class MediaIntegrator {
   [[nodiscard]] Sample sampled(const Interval& interval);
   [[nodiscard]] Sample uniform(const Interval& interval);
   [[nodiscard]] Sample adaptive(const Interval& interval);
-  [[nodiscard]] Sample refine(const Interval& interval, double a, double b, const Sample& at_a,
-                              const Sample& at_b, int level);
+  std::size_t divide(const Interval& interval, MediaSamples& all);
+  void halve(MediaSamples& all, std::size_t index) const;
+  static void find_mean(MediaSamples& all, std::size_t index, bool undivided);
   [[nodiscard]] Sample at(const Interval& interval, double u);
+  void fill(const Interval& interval, std::span<Sample> samples);
+  void find_matter(std::span<const dvec3> points, Matter* out) const;
   [[nodiscard]] Sample dimmed(const Interval& interval, double u);
-  [[nodiscard]] vec3 scattered(double t, dvec3 p);
+  void add_scattered(const double* t, std::span<const dvec3> points, Matter* matter);
+  [[nodiscard]] vec3 arriving(std::size_t index, const Light& light, const Incidence& in, dvec3 p);
+  void find_casters(std::size_t span, const Light& light);
+  [[nodiscard]] double last_sample(const LampSpan& span) const;
+  [[nodiscard]] double left_out() const;
   [[nodiscard]] vec3 photons_at(dvec3 p);
   [[nodiscard]] double mean_phase(double cosine) const;
   [[nodiscard]] double random();
@@ -77,6 +91,8 @@ class MediaIntegrator {
   bool scatters_ = false;
   bool dims_ = false;
   bool collects_ = false;
+  bool isotropic_ = true;
+  Matter matter_;  // everywhere, if nothing varies
   bool has_photons_ = false;  // that may light these media
 };
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 #include "tracer/random.h"
 #include "tracer/transport/photon_map.h"
@@ -17,37 +18,45 @@ double density(std::size_t count, double radius, bool flat) {
   return flat ? n / (pi * radius * radius) : 3 * n / (4 * pi * radius * radius * radius);
 }
 
-// Returns the radius that the photons stand for.
-double look_around(const PhotonMap& map, const PhotonGathering& how, dvec3 p, dvec3 n,
-                   std::vector<NearPhoton>& found) {
-  constexpr double wider = 3;
-  const double radius = map.nearest({p, n, how.most, how.radius}, found);
-  if (found.size() >= how.least) return radius;
-  // Per area, with the radius of the one search and of the other.
-  const double before = static_cast<double>(found.size()) / (radius * radius);
-  const std::size_t few = found.size();
-  const double larger = map.nearest({p, n, how.most, wider * how.radius}, found);
-  const double after = static_cast<double>(found.size()) / (larger * larger);
-  const bool alike = before > 0 && (after - before) / before < how.expand_increase;
-  if (alike || (!found.empty() && found.size() < how.expand_min)) return larger;
-  if (few == 0) {
-    found.clear();
-    return radius;
+// Leaves what a search within a smaller radius would have found.
+void keep_within(double radius, FoundPhotons& found) {
+  const auto limit2 = static_cast<float>(radius * radius);
+  std::size_t to = 0;
+  for (std::size_t i = 0; i < found.count; ++i) {
+    found.indices[to] = found.indices[i];
+    found.distances2[to] = found.distances2[i];
+    to += found.distances2[i] < limit2 ? 1 : 0;
   }
-  return map.nearest({p, n, how.most, how.radius}, found);
+  found.count = to;
 }
 
 }  // namespace
 
 void gather(const PhotonMap& map, const PhotonGathering& how, dvec3 p, dvec3 n,
             FoundPhotons& found) {
-  found.radius = look_around(map, how, p, n, found.photons);
+  constexpr double wider = 3;
+  map.nearest({p, n, how.most, how.radius}, found);
+  if (found.count >= how.least) return;
+  // Per area, with the radius of the one search and of the other.
+  const double radius = found.radius;
+  const double before = static_cast<double>(found.count) / (radius * radius);
+  const bool none = found.count == 0;
+  map.nearest({p, n, how.most, wider * how.radius}, found);
+  const double after = static_cast<double>(found.count) / (found.radius * found.radius);
+  const bool alike = before > 0 && (after - before) / before < how.expand_increase;
+  if (alike || (found.count > 0 && found.count < how.expand_min)) return;
+  if (none) {
+    found.count = 0;
+  } else {
+    keep_within(how.radius, found);
+  }
+  found.radius = radius;
 }
 
 double usual_radius(const PhotonMap& map, std::size_t most, bool flat) {
   if (map.empty() || most == 0) return 0;
   const std::size_t tries = std::clamp<std::size_t>(map.size() / 20, 100, 1000);
-  std::vector<NearPhoton> found;
+  FoundPhotons found;
   // Calls visit(density) with those around some photons.
   const auto each = [&](double within, auto&& visit) {
     std::uint32_t random = 1;
@@ -55,11 +64,13 @@ double usual_radius(const PhotonMap& map, std::size_t most, bool flat) {
       const auto at = static_cast<std::uint32_t>(next_random(random) * double(map.size()));
       const vec3 p = map[at].p;
       // Seen from all sides: what a surface there looks like is not known here.
-      const double radius = map.nearest({dvec3(p), dvec3(0.0), most, within}, found);
-      double farthest = 0;
-      for (const NearPhoton& f : found) farthest = std::max(farthest, double{f.distance2()});
-      const double r = std::isinf(radius) ? std::sqrt(farthest) : radius;
-      if (r > 0) visit(density(found.size(), r, flat));
+      map.nearest({dvec3(p), dvec3(0.0), most, within}, found);
+      double r = found.radius;
+      if (std::isinf(r)) {
+        const auto all = std::span(found.distances2).first(found.count);
+        r = std::sqrt(double{all.empty() ? 0.0F : *std::max_element(all.begin(), all.end())});
+      }
+      if (r > 0) visit(density(found.count, r, flat));
     }
   };
   double sum = 0;

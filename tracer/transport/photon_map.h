@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,26 +18,6 @@ struct Photon {
   vec3 l{0.0F};  // unit, back to where it came from
 };
 
-/// One of the photons around a point, in one number that sorts by distance.
-class NearPhoton {
- public:
-  NearPhoton() = default;
-  NearPhoton(float distance2, std::uint32_t index)
-      : key_(std::uint64_t{std::bit_cast<std::uint32_t>(distance2)} << 32 | index) {}
-
-  /// Square of its distance, as the question measures it.
-  [[nodiscard]] float distance2() const {
-    return std::bit_cast<float>(static_cast<std::uint32_t>(key_ >> 32));
-  }
-  /// Of PhotonMap.
-  [[nodiscard]] std::uint32_t index() const { return static_cast<std::uint32_t>(key_); }
-
-  friend bool operator<(NearPhoton a, NearPhoton b) { return a.key_ < b.key_; }
-
- private:
-  std::uint64_t key_ = 0;
-};
-
 /// Which photons are wanted.
 struct PhotonQuery {
   dvec3 p{0.0};
@@ -47,7 +26,28 @@ struct PhotonQuery {
   double radius = 0;
 };
 
-/// A balanced kd-tree over blocks of photons. Immutable; answers do not depend on the thread.
+/// The photons around a point that somebody found last. Keeps its memory, and remembers how large
+/// answers were: the next question is mostly asked near an earlier one.
+struct FoundPhotons {
+  std::vector<std::uint32_t> indices;  // of PhotonMap, ascending
+  std::vector<float> distances2;       // squares, as the question measures them; parallel
+  std::size_t count = 0;               // the buffers may be longer
+  double radius = 0;                   // of the region that they stand for
+
+  // How far away the last of the photons wanted is, around the points of a cell of space. No radius:
+  // nothing is known.
+  struct Hint {
+    std::uint32_t cell = 0;
+    float radius = 0;
+  };
+  std::array<Hint, 512> hints;  // by cell, as far as there is room
+  float last_radius = 0;
+
+  [[nodiscard]] std::span<const std::uint32_t> photons() const { return {indices.data(), count}; }
+};
+
+/// A tree over blocks of photons. Immutable; answers do not depend on the thread, nor on what was
+/// asked before.
 class PhotonMap {
  public:
   PhotonMap() = default;
@@ -58,9 +58,9 @@ class PhotonMap {
   [[nodiscard]] const Photon& operator[](std::uint32_t i) const { return photons_[i]; }
 
   /// Fills `found` with the photons within the query's radius, the nearest ones if there are more
-  /// than `most`, in no particular order. Returns the radius of the region that they stand for: that
-  /// of the query, or the distance of the last one if others had to be left out.
-  double nearest(const PhotonQuery& query, std::vector<NearPhoton>& found) const;
+  /// than `most` (of those equally far, the first ones). Its radius becomes that of the query, or
+  /// the distance of the last one if others had to be left out.
+  void nearest(const PhotonQuery& query, FoundPhotons& found) const;
 
  private:
   static constexpr std::size_t lanes = 8;
@@ -68,18 +68,21 @@ class PhotonMap {
   struct Block {
     std::array<float, lanes> x, y, z;
   };
-  // Where a range of blocks is cut: those before `Tree` index i hold photons up to `at`.
-  struct Cut {
-    float at = 0;
-    std::uint32_t axis = 0;
+  // The boxes around its children, which lie one after the other: blocks, or nodes of the level
+  // below. Boxes that are missing are infinitely far away.
+  struct Node {
+    std::array<std::array<float, lanes>, 3> lo, hi;
+    std::uint32_t first = 0;
   };
   class Search;
 
-  void build(std::span<std::uint32_t> order, const std::vector<Photon>& from, std::size_t first);
+  void order_blocks(std::span<std::uint32_t> order, const std::vector<Photon>& from);
+  void add_nodes();
+  void set_boxes(std::size_t level, Node& node, std::size_t children) const;
 
   std::vector<Photon> photons_;  // in the order of the blocks
   std::vector<Block> blocks_;
-  std::vector<Cut> cuts_;  // by the first block behind the cut
+  std::vector<std::vector<Node>> levels_;  // from those of blocks up to the one of all
 };
 
 /// How photons around a point are looked for: at first within a radius; then, if they are few,
@@ -90,12 +93,6 @@ struct PhotonGathering {
   double radius = 0;
   double expand_increase = 0.2;  // of their density that a larger radius may bring
   std::size_t expand_min = 35;   // below so many it may bring any
-};
-
-/// The photons around a point that somebody found last.
-struct FoundPhotons {
-  std::vector<NearPhoton> photons;
-  double radius = 0;  // that they stand for
 };
 
 /// Finds the photons around `p`.

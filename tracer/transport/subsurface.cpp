@@ -89,8 +89,11 @@ vec3 Tracer::subsurface(const View& view, const Path& path, const LayerPoint& la
       nested ? 1 : program.settings.single_samples,
       program.settings.radiosity};
   ++scratch_->below;
-  const dvec3 light = diffused(body) + scattered_once(body);
-  const vec3 seen = vec3(light) + unscattered(body);
+  vec3 seen(diffused(body));
+  if (Below below; look_below(body, below)) {
+    seen += vec3(scattered_once(body, below));  // one after the other: both draw random numbers
+    seen += unscattered(body, below);
+  }
   --scratch_->below;
   return layer.opacity * seen;
 }
@@ -178,39 +181,36 @@ dvec3 Tracer::entering(const Body& body, dvec3 p, dvec3 n) {
   return dvec3(light) * transmittance(body.matter, 1);
 }
 
-// The view goes on below the surface; where it is scattered towards a lamp, light of that may have
-// come in.
-dvec3 Tracer::scattered_once(const Body& body) {
+bool Tracer::look_below(const Body& body, Below& below) {
   const View& view = body.view;
-  Ray inner{view.p, dvec3(0.0)};
-  if (!refracted(view.d, view.g, 1 / body.matter.eta, inner.d)) return dvec3(0.0);
-  Hit end;
+  below.ray.o = view.p;
+  if (!refracted(view.d, view.g, 1 / body.matter.eta, below.ray.d)) return false;
   ++scratch_->rays;
-  if (!scene_->geometry.closest(inner, t_min, no_hit_depth, RayKind::image, end,
-                                *scratch_->geometry)) {
-    return dvec3(0.0);
-  }
-  const double inner_cosine = std::abs(glm::dot(inner.d, view.g));
-  const double out = transmittance(body.matter, body.exit_cosine());
-  dvec3 sum(0.0);
-  for (int c = 0; c < 3; ++c) {
-    const double extinction = body.matter.extinction[c];
-    double part = 0;
-    for (int i = 0; i < body.single_samples; ++i) {
-      const double way = -std::log(1 - next_random(scratch_->noise)) / extinction;  // mm
-      if (way / body.mm >= end.t) continue;
-      const double light = single_light(body, inner.at(way / body.mm), inner_cosine, c);
-      part += light * std::exp(-way * extinction);
-    }
-    sum[c] = out / 4 * body.matter.scattering[c] * part / body.single_samples;
-  }
-  return sum;
+  return scene_->geometry.closest(below.ray, t_min, no_hit_depth, RayKind::image, below.end,
+                                  *scratch_->geometry);
 }
 
-// One component of the light that gets straight to a place inside.
-double Tracer::single_light(const Body& body, dvec3 x, double inner_cosine, int c) {
-  const double extinction = body.matter.extinction[c];
-  double sum = 0;
+// Where the view is scattered towards a lamp, light of that may have come in. A place serves all
+// three colours: each proposes some, in turn, and the others take them by what they are worth.
+dvec3 Tracer::scattered_once(const Body& body, const Below& below) {
+  const double inner_cosine = std::abs(glm::dot(below.ray.d, body.view.g));
+  const SingleDepths depths(body.matter, below.end.t * body.mm);
+  const int n = body.single_samples;
+  const auto first = static_cast<int>(3 * next_random(scratch_->noise));
+  dvec3 sum(0.0);
+  for (int i = 0; i < n; ++i) {
+    const double way = depths.at((first + i) % 3, (i + next_random(scratch_->noise)) / n);
+    const dvec3 light = single_light(body, below.ray.at(way / body.mm), inner_cosine);
+    sum += light * depths.weight(way);
+  }
+  const double out = transmittance(body.matter, body.exit_cosine());
+  return out / (4 * n) * body.matter.scattering * sum;
+}
+
+// The light that gets straight to a place inside.
+dvec3 Tracer::single_light(const Body& body, dvec3 x, double inner_cosine) {
+  const dvec3 extinction = body.matter.extinction;
+  dvec3 sum(0.0);
   for (const std::uint32_t i : scene_->geometry.lamp_sets()[body.view.lamps]) {
     const Incidence to_lamp = incidence(scene_->lights[i], x);
     if (to_lamp.l == dvec3(0.0) || dark(to_lamp.colour)) continue;
@@ -220,38 +220,29 @@ double Tracer::single_light(const Body& body, dvec3 x, double inner_cosine, int 
     const double cosine = glm::dot(hit.n, to_lamp.l);
     const Incidence in = incidence(scene_->lights[i], p);
     if (cosine <= 0 || dark(in.colour)) continue;
-    const vec3 arriving = shadowed(scene_->lights[i], in, p, body.path.inside,
-                                   {body.view.gathering, body.view.collects});
-    if (arriving[c] <= 0) continue;
     const double eta = body.matter.eta;
     const double bent = std::sqrt(std::max(0.0, 1 - (1 - cosine * cosine) / (eta * eta)));
     if (bent <= 0) continue;
+    const vec3 arriving = shadowed(scene_->lights[i], in, p, body.path.inside,
+                                   {body.view.gathering, body.view.collects});
+    if (dark(arriving)) continue;
     const double way = hit.t * body.mm * cosine / bent;
-    const double ratio = inner_cosine / bent;
-    sum += arriving[c] * cosine * transmittance(body.matter, cosine) /
-           (extinction + ratio * extinction) * std::exp(-way * extinction);
+    const double entering = cosine * transmittance(body.matter, cosine) / (1 + inner_cosine / bent);
+    sum += entering * dvec3(arriving) / extinction * glm::exp(-way * extinction);
   }
   return sum;
 }
 
 // What is seen right through the body, where it is thin.
-vec3 Tracer::unscattered(const Body& body) {
-  const View& view = body.view;
-  Ray inner{view.p, dvec3(0.0)};
-  if (!refracted(view.d, view.g, 1 / body.matter.eta, inner.d)) return vec3(0.0F);
-  Hit end;
-  ++scratch_->rays;
-  if (!scene_->geometry.closest(inner, t_min, no_hit_depth, RayKind::image, end,
-                                *scratch_->geometry) ||
-      end.interior != view.interior) {
-    return vec3(0.0F);
-  }
+vec3 Tracer::unscattered(const Body& body, const Below& below) {
+  const Hit& end = below.end;
+  if (end.interior != body.view.interior) return vec3(0.0F);
   const vec3 kept(glm::exp(-body.matter.extinction * (end.t * body.mm)));
   const float most = std::max({kept.x, kept.y, kept.z});
   if (!(most > limits(body.path).adc)) return vec3(0.0F);
   Path on = body.path;
   on.ray.o = end.p;
-  if (!refracted(inner.d, end.n, body.matter.eta, on.ray.d)) return vec3(0.0F);
+  if (!refracted(below.ray.d, end.n, body.matter.eta, on.ray.d)) return vec3(0.0F);
   on.weight *= most;
   return kept * trace(on).colour;
 }

@@ -82,12 +82,40 @@ struct LampSpan {
   std::uint32_t light = 0;
   double from = 0;
   double to = 0;
+  /// What can stand between that stretch and the lamp; if `few`, Scratch::lamp_casters of the same
+  /// number has it.
+  enum class Casters : std::uint8_t { unknown, none, few, many };
+  Casters casters = Casters::unknown;
 };
 /// A part of a ray that some lamp shines on, or none.
 struct LitPart {
   double from = 0;
   double to = 0;
   bool lit = false;
+};
+
+/// A place in a medium: the light it adds and the optical depth, both for a whole interval.
+struct MediaSample {
+  double u = 0;  // 0…1 along the interval
+  vec3 colour{0.0F};
+  vec3 depth{0.0F};
+};
+/// A stretch between two places, and its mean. All are indices into MediaSamples.
+struct MediaStretch {
+  double from = 0;
+  double to = 0;
+  std::uint32_t first = 0;
+  std::uint32_t middle = 0;
+  std::uint32_t last = 0;
+  std::uint32_t left = 0;   // its halves, where those are stretches of their own; else 0
+  std::uint32_t right = 0;
+  vec3 colour{0.0F};
+  vec3 depth{0.0F};
+};
+/// An interval that is being sampled.
+struct MediaSamples {
+  std::vector<MediaSample> places;
+  std::vector<MediaStretch> stretches;
 };
 
 /// What one thread may change. Buffers grow once; tracing allocates nothing after that.
@@ -107,7 +135,9 @@ struct Scratch {
   RadiosityState radiosity;
   std::vector<std::uint32_t> media;   // a stack: those that are being integrated
   std::vector<LampSpan> lamp_spans;   // of the ray whose media are being integrated
+  std::vector<std::vector<Caster>> lamp_casters;  // parallel to lamp_spans, as far as needed
   std::vector<LitPart> lit_parts;
+  std::array<MediaSamples, 2> media_samples;  // of rays, and of shadow rays that they send out
   const PhotonMaps* photons = nullptr;   // if there are any
   int below = 0;  // how many looks below surfaces are going on
   FoundPhotons near_photons;             // around the point being lit
@@ -330,6 +360,11 @@ class Tracer {
   [[nodiscard]] MediaEffect media_along(const Path& path, double depth, const Hit* hit);
   [[nodiscard]] vec3 light_through_bodies(const Ray& ray, double depth, const Containment& inside);
   [[nodiscard]] vec3 light_through_air(const Ray& ray, double depth, const Containment& inside);
+  // media_scattering.cpp
+  [[nodiscard]] bool few_casters(const Light& light, const Ray& ray, double from, double to,
+                                 std::vector<Caster>& out) const;
+  [[nodiscard]] vec3 shadowed_by(std::span<Caster> casters, const Light& light, const Incidence& in,
+                                 dvec3 p, const Containment& inside, Receiver receiver);
 
   // subsurface.cpp
   struct Body;
@@ -340,9 +375,15 @@ class Tracer {
   void each_lamp(const Body& body, dvec3 p, dvec3 n, Visit visit);
   [[nodiscard]] dvec3 diffused(const Body& body);
   [[nodiscard]] dvec3 entering(const Body& body, dvec3 p, dvec3 n);
-  [[nodiscard]] dvec3 scattered_once(const Body& body);
-  [[nodiscard]] double single_light(const Body& body, dvec3 x, double inner_cosine, int c);
-  [[nodiscard]] vec3 unscattered(const Body& body);
+  // The view as it goes on below the surface, and where it ends.
+  struct Below {
+    Ray ray;
+    Hit end;
+  };
+  [[nodiscard]] bool look_below(const Body& body, Below& below);
+  [[nodiscard]] dvec3 scattered_once(const Body& body, const Below& below);
+  [[nodiscard]] dvec3 single_light(const Body& body, dvec3 x, double inner_cosine);
+  [[nodiscard]] vec3 unscattered(const Body& body, const Below& below);
 
   // When a path is not worth following.
   struct Limits {

@@ -24,6 +24,15 @@ struct Turbulence {
     return {static_cast<int>(std::clamp(count, 1.0, 10.0)), omega, lambda};
   }
   dvec3 operator()(dvec3 p) const { return p + amount * functions::vturbulence(p, octaves()); }
+  void move(std::span<dvec3> points) const {
+    constexpr std::size_t most = 16;
+    std::array<dvec3, most> way;
+    for (; !points.empty(); points = points.subspan(std::min(most, points.size()))) {
+      const std::span some = points.first(std::min(most, points.size()));
+      functions::vturbulence(some, octaves(), std::span(way).first(some.size()));
+      for (std::size_t i = 0; i < some.size(); ++i) some[i] += amount * way[i];
+    }
+  }
 };
 
 }  // namespace durer::tracer::warps

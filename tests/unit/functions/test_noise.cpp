@@ -160,6 +160,27 @@ TEST_CASE("noise: every instruction set and the batch form give the same bits",
   }
 }
 
+TEST_CASE("noise: turbulence of several points is that of each, to the last bit",
+          "[functions][noise]") {
+  const auto points = random_points(203, 60.0);
+  const Octaves octaves{GENERATE(1, 3, 4, 6), 0.45, 2.1};
+  const std::size_t n = GENERATE(1, 2, 3, 4, 5, 203);
+  const std::span some = std::span(points).first(n);
+  std::vector<dvec3> many(n);
+  vturbulence(some, octaves, many);
+  std::vector<dvec3> baseline(n);
+  simd::baseline_kernels().vturbulence_many(some.data(), n, octaves, baseline.data());
+  std::vector<dvec3> in_place(some.begin(), some.end());
+  vturbulence(in_place, octaves, in_place);
+  for (std::size_t i = 0; i < n; ++i) {
+    const dvec3 one = vturbulence(some[i], octaves);
+    CAPTURE(n, i, octaves.count);
+    REQUIRE(many[i] == one);
+    REQUIRE(baseline[i] == one);
+    REQUIRE(in_place[i] == one);
+  }
+}
+
 TEST_CASE("noise: octaves together are the octaves one by one, to the last bit",
           "[functions][noise]") {
   const double lambda = GENERATE(2.0, 1.7, 0.3);

@@ -57,19 +57,33 @@ int escapes(const Trend& t, const Box& box, std::mt19937& rng, Value value) {
 TEST_CASE("trend: ranges hold values and slopes hold differences", "[functions][trend]") {
   Workspace w;
   std::mt19937 rng(11);
-  for (const char* body :
-       {"x*y - z/3", "x/(y+5)", "abs(x*y) - 0.3", "min(x, y*y, z)", "max(abs(x), abs(y)) - 1",
-        "sqrt(x*x + y*y + z*z)", "pow(abs(x), 1.5) + pow(y, 3)", "sin(5*x)*cos(3*y) + tan(z/3)",
-        "exp(x)*ln(y + 3) - log(z + 4)", "atan2(y, x)", "mod(x, 0.7)", "floor(3*x) + ceil(y)",
-        "select(x - y, x*x, y*y)", "select(x, y, z, 2)", "(x < y)*z", "sum(i, 1, 4, sin(i*x)/i)",
-        "asin(x/4) + acos(y/3) + atan(z)", "sinh(x) - cosh(y) + tanh(z)",
-        "asinh(x) + acosh(y + 4) + atanh(z/3)", "pow(x + 3, y)", "int(4*x)", "div(x, 0.3)"}) {
+  for (const char* body : {"x*y - z/3",
+                           "x/(y+5)",
+                           "abs(x*y) - 0.3",
+                           "min(x, y*y, z)",
+                           "max(abs(x), abs(y)) - 1",
+                           "sqrt(x*x + y*y + z*z)",
+                           "pow(abs(x), 1.5) + pow(y, 3)",
+                           "sin(5*x)*cos(3*y) + tan(z/3)",
+                           "exp(x)*ln(y + 3) - log(z + 4)",
+                           "atan2(y, x)",
+                           "mod(x, 0.7)",
+                           "floor(3*x) + ceil(y)",
+                           "select(x - y, x*x, y*y)",
+                           "select(x, y, z, 2)",
+                           "(x < y)*z",
+                           "sum(i, 1, 4, sin(i*x)/i)",
+                           "asin(x/4) + acos(y/3) + atan(z)",
+                           "sinh(x) - cosh(y) + tanh(z)",
+                           "asinh(x) + acosh(y + 4) + atanh(z/3)",
+                           "pow(x + 3, y)",
+                           "int(4*x)",
+                           "div(x, 0.3)"}) {
     const Function f = parse_function(body);
     for (int repeat = 0; repeat < 400; ++repeat) {
       const Box box = random_box(rng);
       const Trend t = evaluate_trend(f, box, w);
-      const int escaped =
-          escapes(t, box, rng, [&](const auto& p) { return evaluate(f, p, w); });
+      const int escaped = escapes(t, box, rng, [&](const auto& p) { return evaluate(f, p, w); });
       if (escaped > 0) {
         CAPTURE(body, box[0].lo, box[0].hi, box[1].lo, box[1].hi, box[2].lo, box[2].hi);
         CHECK(escaped == 0);
@@ -102,6 +116,48 @@ TEST_CASE("trend: internal functions keep their promise", "[functions][trend][in
         CHECK(escaped == 0);
         break;
       }
+    }
+  }
+}
+
+TEST_CASE("trend: along a line ranges hold values, and the slope differences",
+          "[functions][trend][noise]") {
+  Workspace w;
+  std::mt19937 rng(16);
+  std::uniform_real_distribution<double> u(-1, 1);
+  for (const char* body :
+       {"x*y - z/3", "sqrt(x*x + y*y + z*z) - abs(x)", "sin(5*x)*cos(3*y) + tan(z/3)",
+        "f_noise3d(x, y, z)", "f_noise_generator(3*x, 2*y, z, 1)",
+        "f_noise_generator(x + y, y*z, z, 2)", "f_noise_generator(7*x, y, z - x, 3)",
+        "f_ridged_mf(x, y, z, 0.1, 3.1, 8, 0.7, 0.8, 2)",
+        "f_ridged_mf(x, y, z, 0.9, 2.3, 6, 1.1, 1.7, 1) - z",
+        "f_hetero_mf(x, y, z, 0.5, 2.2, 5, 0.6, 1, 3)",
+        "f_ridge(x, y, z, 2, 4, 0.5, 0.6, 0.4, 2)"}) {
+    const Function f = parse_function(body);
+    int escaped = 0;
+    for (int repeat = 0; repeat < 3000 && escaped == 0; ++repeat) {
+      const dvec3 o(6 * u(rng), 6 * u(rng), 6 * u(rng));
+      const dvec3 d(u(rng), repeat % 3 == 0 ? 0.0 : u(rng), repeat % 5 == 0 ? 0.0 : u(rng));
+      const double from = u(rng);
+      const Interval t{from, from + std::pow(10.0, -4.5 + 2.5 * (u(rng) + 1))};
+      const Trend along = evaluate_along(f, o, d, t, w);
+      const auto value = [&](double s) {
+        const dvec3 p = o + s * d;
+        return evaluate(f, std::array{p.x, p.y, p.z}, w);
+      };
+      double last = value(t.lo);
+      constexpr int steps = 12;
+      for (int i = 1; i <= steps; ++i) {
+        const double v = value(t.lo + (t.hi - t.lo) * i / steps);
+        const Interval change = along.slope(0) * Interval((t.hi - t.lo) / steps);
+        // Generator 3 adds 10^7 to coordinates: it sees them in steps of 2e-9.
+        const double slack = 1e-8 * (1 + std::abs(v));
+        escaped += along.range().contains(v) ? 0 : 1;
+        escaped += v - last >= change.lo - slack && v - last <= change.hi + slack ? 0 : 1;
+        last = v;
+      }
+      CAPTURE(body, o.x, o.y, o.z, d.x, d.y, d.z, t.lo, t.hi);
+      CHECK(escaped == 0);
     }
   }
 }

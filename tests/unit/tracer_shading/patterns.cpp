@@ -63,6 +63,25 @@ TEST_CASE("patterns: values are finite on nasty points", "[tracer][patterns]") {
   }
 }
 
+TEST_CASE("patterns: values of several points are those of each, to the last bit",
+          "[tracer][patterns]") {
+  static const std::vector<functions::WaveSource> waves = functions::wave_sources(10);
+  const std::vector<dvec3> points{{0.1, 0.2, 0.3}, {-1.5, 2.25, 7.75}, {0, 0, 0},
+                                  {123.4, -56.7, 8.9}, {-3, 1e6, 0.5}, {0.7, -0.1, 0.2}};
+  for (const PatternType* type : pattern_types()) {
+    CAPTURE(type->name);
+    PatternContext context;
+    context.waves = waves;
+    PatternState state;
+    type->prepare(default_args(*type), context, state);
+    std::vector<double> values(points.size());
+    type->evaluate_all(state, points, values.data());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      CHECK(values[i] == type->evaluate(state, points[i], nullptr));
+    }
+  }
+}
+
 TEST_CASE("patterns: lists are complete and maps have keys in order", "[tracer][patterns]") {
   for (const PatternType* type : pattern_types()) {
     CAPTURE(type->name);

@@ -107,6 +107,25 @@ TEST_CASE("pigment: entries move with the pattern around them", "[tracer][pigmen
   CHECK(red(outer, {11, 1, 1}, Transform::translate({10, 0, 0})) == Approx(0.25));
 }
 
+TEST_CASE("pigment: colours of several points are those of each", "[tracer][pigment]") {
+  scene::Pigment inner = ramp({at_key(0, 0.25F), at_key(1, 0.5F)});
+  scene::Pigment p = ramp({at_key(0.25F, 0), at_key(0.75F, 1)});
+  p.pattern.edit().frequency = 3;
+  p.entries[1].pigment = 0;
+  p.children.push_back(inner);
+  PigmentStore store;
+  const Transform to_world = Transform::scale({2, 1, 1}).then(Transform::translate({0.3, 0, 0}));
+  const auto id = store.add(p, to_world);
+  std::vector<dvec3> points;
+  for (int i = 0; i < 13; ++i) points.push_back({0.37 * i - 2, 0.1 * i, 1});
+  std::vector<dvec3> moved = points;
+  std::vector<Colour> colours(points.size());
+  store.at(id, moved, colours.data());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    CHECK(colours[i].rgb == store.at(id, points[i]).rgb);
+  }
+}
+
 TEST_CASE("pigment: opaque unless some entry lets light through", "[tracer][pigment]") {
   PigmentStore store;
   auto p = ramp({at_key(0, 0), at_key(1, 1)});

@@ -90,6 +90,47 @@ TEST_CASE("irradiance: the cache finds what a look at all samples finds", "[trac
   CHECK(nothing.weight == 0);
 }
 
+// Cells judge roughly first; whoever counts must get through, far from the origin too.
+TEST_CASE("irradiance: no sample that counts is lost to the first look", "[tracer][radiosity]") {
+  const double far_off = GENERATE(0.0, 1e5);
+  const double scale = GENERATE(1e-4, 1.0, 1e4);
+  CAPTURE(far_off, scale);
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> side(-1, 1);
+  const auto direction = [&] {
+    return glm::normalize(dvec3(side(random), side(random) + 0.01, side(random)));
+  };
+  const auto place = [&] {
+    return far_off + scale * dvec3(3 * side(random), 0.1 * side(random), 3 * side(random));
+  };
+  const auto upright = [&] { return glm::normalize(dvec3(0, 4, 0) + direction()); };
+  IrradianceCache cache;
+  std::vector<IrradianceSample> all;
+  for (int i = 0; i < 2000; ++i) {
+    IrradianceSample s = sample_at(place(), scale * std::exp2(2 * side(random)));
+    s.n = upright();
+    s.to_nearest = direction();
+    s.nearest = s.radius * std::exp2(3 * side(random) - 1);
+    all.push_back(s);
+    cache.add(s, s.radius);
+  }
+  int counting = 0;
+  for (int i = 0; i < 500; ++i) {
+    IrradianceQuery q = query_at(i % 4 == 0 ? all[static_cast<std::size_t>(i)].p : place(), 1);
+    q.n = upright();
+    IrradianceSum found;
+    cache.look_up(q, found);
+    double weight = 0;
+    for (const IrradianceSample& s : all) {
+      const double w = weight_of(s, q);
+      weight += w;
+      counting += w > 0 ? 1 : 0;
+    }
+    CHECK(found.weight == Approx(weight).epsilon(1e-12));
+  }
+  CHECK(counting > 5000);
+}
+
 TEST_CASE("irradiance: enough is enough", "[tracer][radiosity]") {
   IrradianceCache cache;
   for (int i = 0; i < 10; ++i) cache.add(sample_at(dvec3(0.0), 1), 1);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "tests/support/catch.h"
 #include "tracer/random.h"
@@ -43,6 +45,12 @@ std::vector<double> by_asking_all(const PhotonMap& map, const PhotonQuery& q) {
   return all;
 }
 
+std::vector<std::uint32_t> answer(const PhotonMap& map, const PhotonQuery& query,
+                                  FoundPhotons& found) {
+  map.nearest(query, found);
+  return {found.photons().begin(), found.photons().end()};
+}
+
 }  // namespace
 
 TEST_CASE("photon map: finds whom a look at every photon finds", "[tracer][photons]") {
@@ -53,39 +61,81 @@ TEST_CASE("photon map: finds whom a look at every photon finds", "[tracer][photo
   CAPTURE(count, most, radius, n.y);
   const PhotonMap map(photons(count));
   REQUIRE(map.size() == count);
+  FoundPhotons found;
   for (const dvec3 p : {dvec3(0.5, 0, 0.5), dvec3(0.5), dvec3(2, 2, 2)}) {
     const PhotonQuery query{p, n, most, radius};
-    std::vector<NearPhoton> found;
-    const double r = map.nearest(query, found);
+    const std::vector<std::uint32_t> all = answer(map, query, found);
     const std::vector<double> expected = by_asking_all(map, query);
-    REQUIRE(found.size() == expected.size());
+    REQUIRE(all.size() == expected.size());
+    CHECK(std::is_sorted(all.begin(), all.end()));
     std::vector<double> distances;
-    for (const NearPhoton f : found) {
-      distances.push_back(std::sqrt(f.distance2()));
-      CHECK(distances.back() == Approx(measured(map[f.index()], query)).epsilon(1e-4).margin(1e-6));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      distances.push_back(std::sqrt(found.distances2[i]));
+      CHECK(distances.back() == Approx(measured(map[all[i]], query)).epsilon(1e-4).margin(1e-6));
     }
     std::sort(distances.begin(), distances.end());
     for (std::size_t i = 0; i < expected.size(); ++i) {
       CHECK(distances[i] == Approx(expected[i]).epsilon(1e-4).margin(1e-6));
     }
-    CHECK(r <= radius);
-    if (found.size() < most) CHECK(r == radius);
+    CHECK(found.radius <= radius);
+    if (all.size() < most) CHECK(found.radius == radius);
   }
+}
+
+TEST_CASE("photon map: answers do not depend on what was asked before", "[tracer][photons]") {
+  const PhotonMap map(photons(5000));
+  const float remembered = GENERATE(0.0F, 1e-6F, 0.01F, 0.2F, 1e6F);
+  const double radius = GENERATE(0.05, 0.4, endless);
+  CAPTURE(remembered, radius);
+  FoundPhotons used;
+  for (FoundPhotons::Hint& hint : used.hints) hint.radius = remembered;
+  used.last_radius = remembered;
+  std::uint32_t random = 77;
+  for (int i = 0; i < 300; ++i) {
+    const dvec3 p(next_random(random), i % 2 == 0 ? 0 : next_random(random), next_random(random));
+    const PhotonQuery query{p, i % 3 == 0 ? dvec3(0.0) : dvec3(0, 1, 0), 60, radius};
+    FoundPhotons unused;
+    const std::vector<std::uint32_t> expected = answer(map, query, unused);
+    CHECK(answer(map, query, used) == expected);
+    CHECK(used.radius == unused.radius);
+  }
+}
+
+TEST_CASE("photon map: of those equally far the first ones are taken", "[tracer][photons]") {
+  std::vector<Photon> all;
+  for (int i = 0; i < 400; ++i) {  // a knot, and rings around it
+    const float r = static_cast<float>(i / 100);
+    const vec3 p = i % 2 == 0 ? vec3(r, 0, 0) : vec3(0, 0, r);
+    all.push_back({p, vec3(1.0F), vec3(0, 1, 0)});
+  }
+  const PhotonMap map(all);
+  const std::size_t most = GENERATE(1, 50, 100, 130, 250);
+  const PhotonQuery query{dvec3(0.0), dvec3(0.0), most, 10};
+  FoundPhotons found;
+  const std::vector<std::uint32_t> taken = answer(map, query, found);
+  REQUIRE(taken.size() == most);
+  std::vector<std::pair<double, std::uint32_t>> sorted;
+  for (std::uint32_t i = 0; i < map.size(); ++i) sorted.emplace_back(measured(map[i], query), i);
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<std::uint32_t> expected;
+  for (std::size_t i = 0; i < most; ++i) expected.push_back(sorted[i].second);
+  std::sort(expected.begin(), expected.end());
+  CHECK(taken == expected);
 }
 
 TEST_CASE("photon map: nothing is found in an empty one", "[tracer][photons]") {
   const PhotonMap map;
-  std::vector<NearPhoton> found;
-  CHECK(map.nearest({dvec3(0.0), dvec3(0.0), 10, 1}, found) == 1);
-  CHECK(found.empty());
+  FoundPhotons found;
+  CHECK(answer(map, {dvec3(0.0), dvec3(0.0), 10, 1}, found).empty());
+  CHECK(found.radius == 1);
   CHECK(usual_radius(map, 10, true) == 0);
 }
 
 TEST_CASE("photon map: photons at one place do no harm", "[tracer][photons]") {
   const PhotonMap map(std::vector<Photon>(500, Photon{vec3(1.0F), vec3(1.0F), vec3(0, 1, 0)}));
-  std::vector<NearPhoton> found;
-  CHECK(map.nearest({dvec3(1.0), dvec3(0.0), 100, 1}, found) == 0);
-  CHECK(found.size() == 100);
+  FoundPhotons found;
+  CHECK(answer(map, {dvec3(1.0), dvec3(0.0), 100, 1}, found).size() == 100);
+  CHECK(found.radius == 0);
   CHECK(usual_radius(map, 100, true) == 0);
 }
 
@@ -106,13 +156,13 @@ TEST_CASE("gathering: a wider search counts where photons stay as dense, or are 
   FoundPhotons found;
   SECTION("too many of them: the first search stands") {
     gather(map, how, dvec3(0.0), dvec3(0, 1, 0), found);
-    CHECK(found.photons.empty());
+    CHECK(found.photons().empty());
     CHECK(found.radius == Approx(0.4));
   }
   SECTION("few enough: they count") {
     how.expand_min = 1000;
     gather(map, how, dvec3(0.0), dvec3(0, 1, 0), found);
-    CHECK(!found.photons.empty());
+    CHECK(!found.photons().empty());
     CHECK(found.radius == Approx(1.2));
   }
 }
