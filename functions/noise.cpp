@@ -6,6 +6,7 @@
 #include <memory>
 #include <random>
 
+#include "base/floor.h"
 #include "functions/noise_tables.h"
 #include "functions/simd/noise_kernels.h"
 
@@ -23,7 +24,7 @@ std::vector<std::uint32_t> make_uniform_table() {
   return table;
 }
 
-double fraction(double v) { return v - std::floor(v); }
+double fraction(double v) { return v - floored(v); }
 
 }  // namespace
 
@@ -78,7 +79,7 @@ double cycloidal(double v) {
   return v >= 0 ? std::sin(turn * fraction(v)) : -std::sin(turn * fraction(-v));
 }
 double triangle(double v) {
-  const double o = v >= 0 ? fraction(v) : v + 1 + std::floor(std::abs(v));
+  const double o = v >= 0 ? fraction(v) : v + 1 + floored(std::abs(v));
   return o < 0.5 ? 2 * o : 2 * (1 - o);
 }
 

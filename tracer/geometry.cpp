@@ -27,6 +27,9 @@ std::size_t error_count(const Diagnostics& diagnostics) {
                     [](const Diagnostic& d) { return d.severity == Severity::error; }));
 }
 
+/// A copy by vectors, as rays are made: a processor waits where it reads across what it just wrote.
+Ray copied(const Ray& ray) { return {ray.o, ray.d}; }
+
 /// Fills in what a hit in shared contents knows of the spaces around them.
 void resolve_path(const std::vector<Placement>& placements, const PlacementPath& inner_first,
                   Hit& hit) {
@@ -116,7 +119,7 @@ GeometryScratchPtr Geometry::make_scratch() const {
 
 bool Geometry::closest(const Ray& ray, double t_from, double t_to, RayKind kind, Hit& hit,
                        GeometryScratch& scratch) const {
-  RayQuery query{ray, t_from, t_to, mask_of(kind), {}, &state_->parts, &scratch.sweep, false, {}};
+  RayQuery query{copied(ray), t_from, t_to, mask_of(kind), {}, &state_->parts, &scratch.sweep, false, {}};
   state_->world().accel->closest(query);
   const Found& found = query.found;
   if (found.store == nullptr) return false;
@@ -153,7 +156,7 @@ TextureBlend Geometry::cutaway_textures(const Hit& hit, bool from_inside) const 
 bool Geometry::occluded(const Ray& ray, double t_from, double t_to,
                         GeometryScratch& scratch) const {
   const double after = t_from * (1 + std::numeric_limits<double>::epsilon());
-  RayQuery query{ray, after, t_to, blocks_light, {}, &state_->parts, &scratch.sweep, true, {}};
+  RayQuery query{copied(ray), after, t_to, blocks_light, {}, &state_->parts, &scratch.sweep, true, {}};
   return state_->world().accel->any(query);
 }
 
@@ -195,7 +198,7 @@ Geometry::Way Geometry::way_between(std::span<Caster> among, const Ray& ray, dou
 bool Geometry::occluded_by(std::span<Caster> among, const Ray& ray, double t_from, double t_to,
                            GeometryScratch& scratch) const {
   const double after = t_from * (1 + std::numeric_limits<double>::epsilon());
-  RayQuery query{ray, after, t_to, blocks_light, {}, &state_->parts, &scratch.sweep, true, {}};
+  RayQuery query{copied(ray), after, t_to, blocks_light, {}, &state_->parts, &scratch.sweep, true, {}};
   const dvec3 inverse = 1.0 / ray.d;
   for (Caster& c : among) {
     double enter = after;

@@ -261,17 +261,18 @@ void Geometry::State::containing(const Group& group, dvec3 p,
   const auto test = [&](std::uint32_t i) {
     if (contains(group.bodies[i], p, sweep)) found.push_back(i);
   };
-  constexpr int few = 4;
-  if (group.questions.load(std::memory_order_relaxed) < few) {
-    group.questions.fetch_add(1, std::memory_order_relaxed);
-    for (std::uint32_t i = 0; i < group.bodies.size(); ++i) test(i);
+  const auto count = static_cast<std::uint32_t>(group.bodies.size());
+  constexpr std::uint32_t few = 4;  // bodies, and questions, for which an index is too much
+  if (count <= few || group.questions.load(std::memory_order_relaxed) < static_cast<int>(few)) {
+    if (count > few) group.questions.fetch_add(1, std::memory_order_relaxed);
+    for (std::uint32_t i = 0; i < count; ++i) test(i);
   } else {
     index_bodies(group);
     for (const std::uint32_t i : group.index.endless) test(i);
     group.index.boxes.at(p, [&](std::uint32_t box) { test(group.index.body_of_box[box]); });
   }
   const std::size_t end = found.size();
-  std::sort(found.begin() + static_cast<std::ptrdiff_t>(first), found.end());
+  if (end > first + 1) std::sort(found.begin() + static_cast<std::ptrdiff_t>(first), found.end());
   for (std::size_t k = first; k < end; ++k) {
     const Body& body = group.bodies[found[k]];
     if (body.kind != Body::Kind::placement) {

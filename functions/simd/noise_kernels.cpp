@@ -203,7 +203,7 @@ DURER_INLINE void scaled(Quad scale, double x, double* out) {
 
 /// Noise of the next up to four octaves of `p`; `frequency` goes on to those behind.
 template <class Quad>
-DURER_INLINE Quad next_noises(dvec3 p, double lambda, double& frequency, int generator,
+DURER_INLINE Quad next_noises(const dvec3& p, double lambda, double& frequency, int generator,
                               int count) {
   const Quad scale = four_powers<Quad>(lambda, frequency);
   alignas(32) double c[3][4];
@@ -211,7 +211,7 @@ DURER_INLINE Quad next_noises(dvec3 p, double lambda, double& frequency, int gen
   return four_noises<Quad>(c[0], c[1], c[2], generator, count);
 }
 template <class Quad>
-DURER_INLINE void noise_octaves_of(dvec3 p, double lambda, int n, int generator, double* out) {
+DURER_INLINE void noise_octaves_of(const dvec3& p, double lambda, int n, int generator, double* out) {
   double frequency = 1;
   for (int i = 0; i < n; i += 4) {
     next_noises<Quad>(p, lambda, frequency, generator, std::min(n - i, 4)).store(out + i);
@@ -220,7 +220,7 @@ DURER_INLINE void noise_octaves_of(dvec3 p, double lambda, int n, int generator,
 
 /// Only the first octave is clamped, and only by generators 2 and 3 (textures §2.7).
 template <class Quad>
-DURER_INLINE double turbulence_of(dvec3 p, const Octaves& o, int generator) {
+DURER_INLINE double turbulence_of(const dvec3& p, const Octaves& o, int generator) {
   const double scale = generator >= 2 ? 2.0 : 1.0;
   const double shift = generator >= 2 ? 0.5 : 0.0;
   double value = 0;
@@ -240,7 +240,7 @@ DURER_INLINE double turbulence_of(dvec3 p, const Octaves& o, int generator) {
 }
 
 template <class Quad>
-DURER_INLINE dvec3 vnoise_of(dvec3 p) {
+DURER_INLINE dvec3 vnoise_of(const dvec3& p) {
   const Cell cell = table_cell(p.x, p.y, p.z);
   return to_vector(vector_noise(Weights<Quad>(cell), cell.row));
 }
@@ -251,7 +251,7 @@ DURER_INLINE void vnoise_many_of(const dvec3* p, std::size_t n, dvec3* out) {
 
 /// Calls visit(vector noise of an octave of `p`) for one after another.
 template <class Quad, class Visit>
-DURER_INLINE void for_vnoise_octaves(dvec3 p, double lambda, int n, Visit visit) {
+DURER_INLINE void for_vnoise_octaves(const dvec3& p, double lambda, int n, Visit visit) {
   double frequency = 1;
   for (int i = 0; i < n; i += 4) {
     const Quad scale = four_powers<Quad>(lambda, frequency);
@@ -269,7 +269,7 @@ DURER_INLINE void for_vnoise_octaves(dvec3 p, double lambda, int n, Visit visit)
   }
 }
 template <class Quad>
-DURER_INLINE dvec3 vturbulence_of(dvec3 p, const Octaves& o) {
+DURER_INLINE dvec3 vturbulence_of(const dvec3& p, const Octaves& o) {
   Quad value = Quad::of(0, 0, 0, 0);
   double weight = 1;
   for_vnoise_octaves<Quad>(p, o.lambda, o.count, [&](Quad v) DURER_LAMBDA_INLINE {
@@ -315,7 +315,7 @@ DURER_INLINE void vturbulence_many_of(const dvec3* p, std::size_t n, const Octav
 }
 /// Sum of the octaves' sizes, component by component, each half of the one before.
 template <class Quad>
-DURER_INLINE dvec3 vfolded_of(dvec3 p, int n) {
+DURER_INLINE dvec3 vfolded_of(const dvec3& p, int n) {
   Quad value = Quad::of(0, 0, 0, 0);
   double weight = 1;
   for_vnoise_octaves<Quad>(p, 2, n, [&](Quad v) DURER_LAMBDA_INLINE {
@@ -336,21 +336,23 @@ DURER_INLINE dvec3 vfolded_of(dvec3 p, int n) {
   target void noise_many(const dvec3* p, std::size_t n, int g, double* out) {                    \
     noise_many_of<Quad>(p, n, g, out);                                                           \
   }                                                                                              \
-  target dvec3 vnoise(dvec3 p) { return vnoise_of<Quad>(p); }                                    \
+  target dvec3 vnoise(const dvec3& p) { return vnoise_of<Quad>(p); }                             \
   target void vnoise_many(const dvec3* p, std::size_t n, dvec3* out) {                           \
     vnoise_many_of<Quad>(p, n, out);                                                             \
   }                                                                                              \
-  target double turbulence(dvec3 p, const Octaves& o, int g) {                                   \
+  target double turbulence(const dvec3& p, const Octaves& o, int g) {                            \
     return turbulence_of<Quad>(p, o, g);                                                         \
   }                                                                                              \
-  target dvec3 vturbulence(dvec3 p, const Octaves& o) { return vturbulence_of<Quad>(p, o); }     \
+  target dvec3 vturbulence(const dvec3& p, const Octaves& o) {                                   \
+    return vturbulence_of<Quad>(p, o);                                                           \
+  }                                                                                              \
   target void vturbulence_many(const dvec3* p, std::size_t n, const Octaves& o, dvec3* out) {    \
     vturbulence_many_of<Quad>(p, n, o, out);                                                     \
   }                                                                                              \
-  target void noise_octaves(dvec3 p, double lambda, int n, int g, double* out) {                 \
+  target void noise_octaves(const dvec3& p, double lambda, int n, int g, double* out) {          \
     noise_octaves_of<Quad>(p, lambda, n, g, out);                                                \
   }                                                                                              \
-  target dvec3 vfolded(dvec3 p, int n) { return vfolded_of<Quad>(p, n); }                        \
+  target dvec3 vfolded(const dvec3& p, int n) { return vfolded_of<Quad>(p, n); }                 \
   constexpr NoiseKernels table{noise,      noise_many,  vnoise,           vnoise_many,           \
                                turbulence, vturbulence, vturbulence_many, noise_octaves,         \
                                vfolded};                                                         \
@@ -372,18 +374,17 @@ const NoiseKernels* avx2_kernels() {
   return nullptr;
 }
 
-namespace {
-
 // Not a function-local static: its guard would cost a tenth of a noise call. Whoever asks before
 // the second line has run gets the baseline, which gives the same bits.
-constinit const NoiseKernels* best = &baseline::table;
+constinit const NoiseKernels* best_kernels = &baseline::table;
+
+namespace {
+
 [[maybe_unused]] const bool chosen = [] {
-  if (avx2_kernels() != nullptr) best = avx2_kernels();
+  if (avx2_kernels() != nullptr) best_kernels = avx2_kernels();
   return true;
 }();
 
 }  // namespace
-
-const NoiseKernels& kernels() { return *best; }
 
 }  // namespace durer::functions::simd

@@ -11,20 +11,22 @@ namespace durer::functions::simd {
 struct NoiseKernels {
   double (*noise)(double x, double y, double z, int generator);
   void (*noise_many)(const dvec3* points, std::size_t n, int generator, double* out);
-  dvec3 (*vnoise)(dvec3 p);
+  dvec3 (*vnoise)(const dvec3& p);
   void (*vnoise_many)(const dvec3* points, std::size_t n, dvec3* out);
-  double (*turbulence)(dvec3 p, const Octaves& octaves, int generator);
-  dvec3 (*vturbulence)(dvec3 p, const Octaves& octaves);
+  double (*turbulence)(const dvec3& p, const Octaves& octaves, int generator);
+  dvec3 (*vturbulence)(const dvec3& p, const Octaves& octaves);
   void (*vturbulence_many)(const dvec3* points, std::size_t n, const Octaves& octaves, dvec3* out);
-  void (*noise_octaves)(dvec3 p, double lambda, int n, int generator, double* out);
-  dvec3 (*vfolded)(dvec3 p, int n);
+  void (*noise_octaves)(const dvec3& p, double lambda, int n, int generator, double* out);
+  dvec3 (*vfolded)(const dvec3& p, int n);
 };
 
 /// What runs on every processor of the architecture.
 [[nodiscard]] const NoiseKernels& baseline_kernels();
 /// The AVX2 form, or null where the processor has none.
 [[nodiscard]] const NoiseKernels* avx2_kernels();
-/// The best of them for this processor.
-[[nodiscard]] const NoiseKernels& kernels();
+
+/// The best of them for this processor. Not behind a function: a call would cost a tenth of noise.
+extern constinit const NoiseKernels* best_kernels;
+[[nodiscard]] inline const NoiseKernels& kernels() { return *best_kernels; }
 
 }  // namespace durer::functions::simd

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "tracer/sobol.h"
 
@@ -115,14 +116,15 @@ Pixel Eye::look_along(const CameraRay& ray, double x, double y, std::uint32_t in
   if (view_->one_origin) {
     path.inside = view_->scene->around_camera;
   } else {
-    find_bodies_around(path.ray.o, path.inside);
+    find_around(path.ray.o, path.inside);
   }
-  const Radiance r =
-      view_->scene->quality.path ? paths_.trace(path, random_) : tracer_.trace_on(path);
-  return {r.colour, r.transmittance};
+  const auto pixel = [](const Radiance& r) { return Pixel(r.colour, r.transmittance); };
+  if (view_->scene->quality.path) return pixel(paths_.trace(path, random_));
+  return pixel(tracer_.trace(std::move(path)));
 }
 
-void Eye::find_bodies_around(dvec3 p, Containment& inside) {
+/// Adds the bodies that hold `p`.
+void Eye::find_around(const dvec3& p, Containment& inside) {
   scratch_.containing.clear();
   view_->scene->geometry.containing(p, scratch_.containing, *scratch_.geometry);
   for (const std::uint32_t id : scratch_.containing) inside.append(id);

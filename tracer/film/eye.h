@@ -53,7 +53,7 @@ class Eye {
   Pixel plain(double x, double y, std::uint32_t index);
   [[nodiscard]] Pixel through_lens(dvec2 at, dvec2 pixel, std::uint32_t index, int sample);
   [[nodiscard]] Pixel look_along(const CameraRay& ray, double x, double y, std::uint32_t index);
-  void find_bodies_around(dvec3 p, Containment& inside);
+  void find_around(const dvec3& p, Containment& inside);
 
   const Viewpoint* view_;
   Scratch scratch_;

@@ -1,17 +1,19 @@
 #include <cmath>
 
+#include "base/floor.h"
 #include "tracer/patterns/pattern_type.h"
 
 namespace durer::tracer::patterns {
 namespace {
 
-double fraction(double x) { return x - std::floor(x); }
+double fraction(double x) { return x - floored(x); }
 
 // A wall of bricks (1) with mortar joints (0), every second course shifted by half a brick, in all
 // three directions (textures §6.1).
 struct Brick {
   dvec3 size{8, 3, 4.5};  // brick with one joint, pattern units
   double mortar = 0.5;    // width of the joint, pattern units; single precision in the language
+  dvec3 joint{0.0};       // the same as a share of a brick
 
   static constexpr std::array operands{
       keyword<&Brick::size>("brick_size", "size of a brick with its joints"),
@@ -22,11 +24,13 @@ struct Brick {
       Sample{{4.1, 1, 3}, 1}, Sample{{4, 4, 3}, 1}, Sample{{3.7, 4, 2}, 0},
   };
 
-  void prepare() { mortar = static_cast<float>(static_cast<float>(mortar) - 2 * epsilon); }
+  void prepare() {
+    mortar = static_cast<float>(static_cast<float>(mortar) - 2 * epsilon);
+    joint = mortar / size;
+  }
 
   double operator()(dvec3 p) const {
     const dvec3 q = p + (epsilon + mortar);
-    const dvec3 joint = mortar / size;
     if (fraction(q.y / size.y) <= joint.y) return 0;
     const bool shifted = fraction(q.y / (2 * size.y)) > 0.5;
     const double x = fraction(q.x / size.x + (shifted ? 0.5 : 0.0));

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "base/floor.h"
 #include "tracer/patterns/pattern_type.h"
 
 namespace durer::tracer::patterns {
@@ -14,7 +15,7 @@ struct Cells {
   };
   double operator()(dvec3 p) const {
     const auto cell = [](double x) {
-      return static_cast<int>(static_cast<std::int64_t>(std::floor(x + epsilon)));
+      return static_cast<int>(static_cast<std::int64_t>(floored(x + epsilon)));
     };
     return functions::uniform_table(
         static_cast<unsigned>(functions::hash3(cell(p.x), cell(p.y), cell(p.z))));

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/floor.h"
 #include "tracer/patterns/pattern_type.h"
 
 namespace durer::tracer::patterns {
@@ -14,7 +15,7 @@ struct Checker {
       Sample{{-1, -1, -1}, 1},    Sample{{-1e-11, 0.5, 0}, 0}, Sample{{-1e-9, 0.5, 0}, 1},
   };
   double operator()(dvec3 p) const {
-    const auto cell = [](double x) { return static_cast<std::int64_t>(std::floor(x + epsilon)); };
+    const auto cell = [](double x) { return static_cast<std::int64_t>(floored(x + epsilon)); };
     return static_cast<double>((cell(p.x) + cell(p.y) + cell(p.z)) & 1);
   }
 };

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "functions/noise.h"
+#include "base/floor.h"
 #include "tracer/patterns/crackle.h"
 
 namespace durer::tracer::patterns {
@@ -70,7 +71,7 @@ void find_far(CrackleCell& cell) {
 }  // namespace
 
 CrackleCube CrackleCube::around(dvec3 p) {
-  const auto lower = [](double v) { return static_cast<std::int64_t>(std::floor(v - epsilon)); };
+  const auto lower = [](double v) { return static_cast<std::int64_t>(floored(v - epsilon)); };
   return {lower(p.x), lower(p.y), lower(p.z)};
 }
 

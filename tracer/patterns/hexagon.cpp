@@ -1,12 +1,13 @@
 #include <cmath>
 
+#include "base/floor.h"
 #include "tracer/patterns/pattern_type.h"
 
 namespace durer::tracer::patterns {
 namespace {
 
 // floor() that steps down at negative whole numbers; the reference's tiling depends on it.
-double floor_below(double x) { return x >= 0 ? std::floor(x) : -std::floor(-x) - 1; }
+double floor_below(double x) { return x >= 0 ? floored(x) : -floored(-x) - 1; }
 
 // Hexagons of three kinds in the xz plane, constant along y (textures §6.2). Half-unit columns and
 // h-unit rows repeat every six; the cells that a slanted edge crosses are split along a diagonal.
@@ -24,8 +25,8 @@ struct Hexagon {
     double v = z / 0.866025404;
     u -= 6 * floor_below(u / 6);
     v -= 6 * floor_below(v / 6);
-    const int a = static_cast<int>(std::floor(u)) % 6;
-    const int b = static_cast<int>(std::floor(v)) % 6;
+    const int a = static_cast<int>(floored(u)) % 6;
+    const int b = static_cast<int>(floored(v)) % 6;
     static constexpr std::array outer{0, 1, 1, 2, 2, 0};
     static constexpr std::array inner{2, 2, 0, 0, 1, 1};
     if (a == 0 || a == 5) return outer[b];
@@ -39,7 +40,7 @@ struct Hexagon {
     static constexpr std::array above{2, 1, 0, 2, 1, 0};
     if (rising) s = 1 - s;
     if (s == 0) s = 0.0001;
-    return t / s < 1 ? below[row] : above[row];
+    return t < s ? below[row] : above[row];
   }
 };
 

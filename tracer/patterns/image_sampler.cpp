@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/gamma.h"
+#include "functions/simd/inline.h"
 #include "tracer/patterns/remainder.h"
 #include "tracer/warps/orientation.h"
 
@@ -159,7 +160,7 @@ Colour ImageSampler::pixel(std::size_t at) const {
 
 /// Calls visit(pixel, weight) for a square of pixels, of which (x, y) is the upper left one.
 template <std::size_t n, typename Visit>
-void ImageSampler::weigh_square(std::int64_t x, std::int64_t y, const std::array<double, n>& wx,
+DURER_INLINE void ImageSampler::weigh_square(std::int64_t x, std::int64_t y, const std::array<double, n>& wx,
                                 const std::array<double, n>& wy, Visit visit) const {
   std::array<std::size_t, n> columns;
   for (std::size_t i = 0; i < n; ++i) columns[i] = inside(x + static_cast<int>(i), width_);
@@ -169,14 +170,18 @@ void ImageSampler::weigh_square(std::int64_t x, std::int64_t y, const std::array
   }
 }
 
-/// The pixels around a place and their weights (textures §12.3).
-template <typename Visit>
-void ImageSampler::weigh(dvec2 at, Visit visit) const {
+/// Adds the pixels around a place with their weights to `sum` (textures §12.3); gives sum.result().
+// The sum is a local copy, so that it stays in registers.
+template <typename Sum>
+auto ImageSampler::weigh(dvec2 at, Sum sum) const {
   if (image_.interpolation == Interpolation::nearest) {
-    return visit(inside(static_cast<std::int64_t>(at.y), height_) * picture_->width +
-                     inside(static_cast<std::int64_t>(at.x), width_),
-                 1.0);
+    sum.add(inside(static_cast<std::int64_t>(at.y), height_) * picture_->width +
+                inside(static_cast<std::int64_t>(at.x), width_),
+            1.0);
+    return sum.result();
   }
+  const auto visit = [&](std::size_t pixel, double weight)
+                         DURER_LAMBDA_INLINE { sum.add(pixel, weight); };
   // Pixels have their centres at halves.
   const auto i = static_cast<std::int64_t>(at.x + 0.5);
   const auto j = static_cast<std::int64_t>(at.y + 0.5);
@@ -192,10 +197,10 @@ void ImageSampler::weigh(dvec2 at, Visit visit) const {
       // Upper left, upper right, lower left, lower right.
       const std::array<double, 4> w = {near(p, q), near(1 - p, q), near(p, 1 - q),
                                        near(1 - p, 1 - q)};
-      const double sum = w[3] + w[2] + w[1] + w[0];
+      const double all = w[3] + w[2] + w[1] + w[0];
       std::size_t next = 0;
       weigh_square<2>(i - 1, j - 1, {1, 1}, {1, 1},
-                      [&](std::size_t pixel, double) { visit(pixel, w[next++] / sum); });
+                      [&](std::size_t pixel, double) { visit(pixel, w[next++] / all); });
       break;
     }
     case Interpolation::bicubic: {
@@ -208,47 +213,67 @@ void ImageSampler::weigh(dvec2 at, Visit visit) const {
       break;
     }
   }
+  return sum.result();
 }
 
 Colour ImageSampler::interpolated(dvec2 at) const {
   if (image_.interpolation == Interpolation::nearest) {
-    Colour found;
-    weigh(at, [&](std::size_t place, double) { found = pixel(place); });
-    return found;
+    struct Found {
+      const ImageSampler& sampler;
+      std::size_t place = 0;
+      void add(std::size_t pixel, double) { place = pixel; }
+      [[nodiscard]] Colour result() const { return sampler.pixel(place); }
+    };
+    return weigh(at, Found{*this});
   }
   if (plain_) return {plain_interpolated(at), 0, 0};
-  dvec3 rgb(0.0);
-  double filter = 0;
-  double transmit = 0;
-  weigh(at, [&](std::size_t place, double weight) {
-    const Colour c = pixel(place);
-    rgb += weight * dvec3(c.rgb);
-    filter += weight * c.filter;
-    transmit += weight * c.transmit;
-  });
-  return {vec3(rgb), static_cast<float>(filter), static_cast<float>(transmit)};
+  struct Sum {
+    const ImageSampler& sampler;
+    dvec3 rgb{0.0};
+    double filter = 0;
+    double transmit = 0;
+    void add(std::size_t place, double weight) {
+      const Colour c = sampler.pixel(place);
+      rgb += weight * dvec3(c.rgb);
+      filter += weight * c.filter;
+      transmit += weight * c.transmit;
+    }
+    [[nodiscard]] Colour result() const {
+      return {vec3(rgb), static_cast<float>(filter), static_cast<float>(transmit)};
+    }
+  };
+  return weigh(at, Sum{*this});
 }
 
 /// The same for codes of three channels.
 vec3 ImageSampler::plain_interpolated(dvec2 at) const {
-  const std::uint16_t* const stored = picture_->codes.data();
-  const float* const codes = codes_.data();
-  double r = 0;
-  double g = 0;
-  double b = 0;
-  weigh(at, [&](std::size_t place, double weight) {
-    const std::uint16_t* const s = stored + 3 * place;
-    r += weight * static_cast<double>(codes[s[0]]);
-    g += weight * static_cast<double>(codes[s[1]]);
-    b += weight * static_cast<double>(codes[s[2]]);
-  });
-  return {static_cast<float>(r), static_cast<float>(g), static_cast<float>(b)};
+  struct Sum {
+    const std::uint16_t* stored;
+    const float* codes;
+    double r = 0;
+    double g = 0;
+    double b = 0;
+    DURER_INLINE void add(std::size_t place, double weight) {
+      const std::uint16_t* const s = stored + 3 * place;
+      r += weight * static_cast<double>(codes[s[0]]);
+      g += weight * static_cast<double>(codes[s[1]]);
+      b += weight * static_cast<double>(codes[s[2]]);
+    }
+    [[nodiscard]] vec3 result() const {
+      return {static_cast<float>(r), static_cast<float>(g), static_cast<float>(b)};
+    }
+  };
+  return weigh(at, Sum{picture_->codes.data(), codes_.data()});
 }
 
 int ImageSampler::palette_index(dvec2 at) const {
-  double sum = 0;
-  weigh(at, [&](std::size_t place, double weight) { sum += weight * picture_->codes[place]; });
-  return static_cast<int>(sum);
+  struct Sum {
+    const std::uint16_t* stored;
+    double index = 0;
+    void add(std::size_t place, double weight) { index += weight * stored[place]; }
+    [[nodiscard]] int result() const { return static_cast<int>(index); }
+  };
+  return weigh(at, Sum{picture_->codes.data()});
 }
 
 Colour ImageSampler::colour(dvec2 at) const {
@@ -266,7 +291,8 @@ Colour ImageSampler::colour(dvec2 at) const {
 
 double ImageSampler::height(dvec2 at) const {
   if (image_.use_index && !palette_.empty()) return palette_index(at);
-  return grey(interpolated(at).rgb);
+  const bool plain = plain_ && image_.interpolation != Interpolation::nearest;
+  return grey(plain ? plain_interpolated(at) : interpolated(at).rgb);
 }
 
 double ImageSampler::value(dvec2 at) const {

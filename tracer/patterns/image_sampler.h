@@ -45,8 +45,8 @@ class ImageSampler {
   template <std::size_t n, typename Visit>
   void weigh_square(std::int64_t x, std::int64_t y, const std::array<double, n>& wx,
                     const std::array<double, n>& wy, Visit visit) const;
-  template <typename Visit>
-  void weigh(dvec2 at, Visit visit) const;
+  template <typename Sum>
+  [[nodiscard]] auto weigh(dvec2 at, Sum sum) const;
 
   void make_codes();
   void make_palette();

@@ -51,17 +51,17 @@ struct SurfaceView {
 struct PatternType : scene::PatternInfo {
   void (*prepare)(std::span<const double> args, const PatternContext& context,
                   PatternState& state) = nullptr;
-  double (*evaluate)(const PatternState& state, dvec3 p, const SurfaceView* view) = nullptr;
+  double (*evaluate)(const PatternState& state, const dvec3& p, const SurfaceView* view) = nullptr;
   /// The same at several points, away from surfaces.
   void (*evaluate_all)(const PatternState& state, std::span<const dvec3> points,
                        double* values) = nullptr;
   /// Bumps of a kind of their own: what becomes of the normal `n` at `p`. Null: the slope of
   /// `evaluate` makes the bumps.
-  dvec3 (*perturb)(const PatternState& state, dvec3 p, dvec3 n, double amount) = nullptr;
+  dvec3 (*perturb)(const PatternState& state, const dvec3& p, const dvec3& n, double amount) = nullptr;
   /// Colours of a pattern that has some instead of a value. Null: it has a value.
-  Colour (*colour)(const PatternState& state, dvec3 p) = nullptr;
+  Colour (*colour)(const PatternState& state, const dvec3& p) = nullptr;
   /// False where such a pattern shows nothing; null: it shows something everywhere.
-  bool (*covers)(const PatternState& state, dvec3 p) = nullptr;
+  bool (*covers)(const PatternState& state, const dvec3& p) = nullptr;
   /// True if the colours of such a pattern never let light through.
   bool (*opaque)(const PatternState& state) = nullptr;
   bool own_turbulence = false;  // does itself what `turbulence` outside of any warp asks for
@@ -85,7 +85,8 @@ void prepare(std::span<const double> args, const PatternContext& context, Patter
 }
 
 template <typename P>
-double evaluate(const PatternState& state, dvec3 p, [[maybe_unused]] const SurfaceView* view) {
+double evaluate(const PatternState& state, const dvec3& p,
+                [[maybe_unused]] const SurfaceView* view) {
   if constexpr (requires(const P& pattern) { pattern(p, view); }) {
     return state.as<P>()(p, view);
   } else {
@@ -109,7 +110,7 @@ template <typename P>
 concept Paints = requires(const P& pattern) { pattern.colour(dvec3()); };
 
 template <typename P>
-Colour colour(const PatternState& state, dvec3 p) {
+Colour colour(const PatternState& state, const dvec3& p) {
   return state.as<P>().colour(p);
 }
 template <typename P>
@@ -117,7 +118,7 @@ bool opaque(const PatternState& state) {
   return state.as<P>().opaque();
 }
 template <typename P>
-bool covers(const PatternState& state, dvec3 p) {
+bool covers(const PatternState& state, const dvec3& p) {
   return state.as<P>().covers(p);
 }
 
@@ -125,7 +126,7 @@ template <typename P>
 concept Perturbs = requires(const P& pattern) { pattern.perturb(dvec3(), dvec3(), 0.0); };
 
 template <typename P>
-dvec3 perturb(const PatternState& state, dvec3 p, dvec3 n, double amount) {
+dvec3 perturb(const PatternState& state, const dvec3& p, const dvec3& n, double amount) {
   return state.as<P>().perturb(p, n, amount);
 }
 

@@ -6,26 +6,18 @@
 #include "tracer/patterns/image_sampler.h"
 #include "tracer/patterns/patterns.h"
 #include "tracer/patterns/pigment_pattern.h"
-#include "tracer/patterns/remainder.h"
 #include "tracer/warps/turbulence.h"
 #include "tracer/warps/warps.h"
 
 namespace durer::tracer {
 namespace {
 
-dvec3 transform_point(const PatternState& state, dvec3 p) { return state.as<Affine>().point(p); }
+dvec3 transform_point(const PatternState& state, const dvec3& p) {
+  return state.as<Affine>().point(p);
+}
 
 void transform_points(const PatternState& state, std::span<dvec3> points) {
   for (dvec3& p : points) p = transform_point(state, p);
-}
-
-// Keeps points representable for the patterns' whole-number arithmetic; NaN becomes a bound.
-dvec3 clamp_point(dvec3 p) {
-  const auto clamped = [](double x) {
-    constexpr double limit = 1e17;
-    return std::min(limit, std::max(-limit, x));
-  };
-  return {clamped(p.x), clamped(p.y), clamped(p.z)};
 }
 
 }  // namespace
@@ -121,14 +113,6 @@ void PatternStore::add_step(const scene::Warp& warp) {
   steps_.push_back(step);
 }
 
-dvec3 PatternStore::warp(const PatternProgram& program, dvec3 p) const {
-  if (program.moved) p = program.to_pattern.point(p);
-  for (std::uint32_t i = program.first_step; i < program.end_step; ++i) {
-    p = steps_[i].apply(steps_[i].state, p);
-  }
-  return clamp_point(p);
-}
-
 void PatternStore::warp(const PatternProgram& program, std::span<dvec3> points) const {
   if (program.moved) {
     for (dvec3& p : points) p = program.to_pattern.point(p);
@@ -136,22 +120,7 @@ void PatternStore::warp(const PatternProgram& program, std::span<dvec3> points) 
   for (std::uint32_t i = program.first_step; i < program.end_step; ++i) {
     steps_[i].apply_all(steps_[i].state, points);
   }
-  for (dvec3& p : points) p = clamp_point(p);
-}
-
-namespace {
-
-double shaped(const PatternProgram& program, double v) {
-  // The modulus is a little above 1 so that the value 1 stays 1 and finds the last entry.
-  if (program.frequency != 0) v = remainder(v * program.frequency + program.phase, 1.00001);
-  if (v < 0) v -= std::floor(v);
-  return shape_wave(program.wave, program.wave_exponent, v);
-}
-
-}  // namespace
-
-double PatternStore::value(const PatternProgram& program, dvec3 warped, const SurfaceView* view) {
-  return shaped(program, program.type->evaluate(program.state, warped, view));
+  for (dvec3& p : points) p = representable(p);
 }
 
 void PatternStore::values(const PatternProgram& program, std::span<const dvec3> warped,

@@ -2,6 +2,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "base/floor.h"
 #include "tracer/patterns/pattern_type.h"
 
 namespace durer::tracer::patterns {
@@ -37,7 +38,7 @@ struct Quilted {
     return k * u;
   }
   // floor() that steps down at negative whole numbers.
-  static double whole(double x) { return x >= 0 ? std::floor(x) : -std::floor(-x) - 1; }
+  static double whole(double x) { return x >= 0 ? floored(x) : -floored(-x) - 1; }
 };
 
 

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/floor.h"
 #include "tracer/patterns/pattern_type.h"
 
 namespace durer::tracer::patterns {
@@ -13,7 +14,7 @@ struct Square {
       Sample{{1.5, 0, -0.5}, 2}, Sample{{-0.5, 0, 0.5}, 3},
   };
   double operator()(dvec3 p) const {
-    const auto odd = [](double x) { return (static_cast<std::int64_t>(std::floor(x)) & 1) != 0; };
+    const auto odd = [](double x) { return (static_cast<std::int64_t>(floored(x)) & 1) != 0; };
     if (odd(p.x)) return odd(p.z) ? 2 : 3;
     return odd(p.z) ? 1 : 0;
   }

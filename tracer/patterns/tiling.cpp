@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/floor.h"
 #include "tracer/patterns/pattern_type.h"
 #include "tracer/patterns/penrose.h"
 #include "tracer/patterns/tilings.h"
@@ -13,7 +14,7 @@ namespace {
 constexpr double root3 = std::numbers::sqrt3;
 constexpr double h = root3 / 2;
 
-double floor_mod(double a, double b) { return a - b * std::floor(a / b); }
+double floor_mod(double a, double b) { return a - b * floored(a / b); }
 
 /// Kinds of tiles whose flat middle is raised a little, to stand clear of the border of the kind
 /// below: value = max(least, k / n + raised / n + …).

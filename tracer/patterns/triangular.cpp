@@ -1,6 +1,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/floor.h"
 #include "tracer/patterns/pattern_type.h"
 
 namespace durer::tracer::patterns {
@@ -15,9 +16,9 @@ struct Triangular {
   };
   double operator()(dvec3 p) const {
     constexpr double root3 = std::numbers::sqrt3;
-    double x = p.x - 3 * std::floor(p.x / 3);
-    double z = p.z - root3 * std::floor(p.z / root3);
-    const int column = static_cast<int>(std::floor(x));
+    double x = p.x - 3 * floored(p.x / 3);
+    double z = p.z - root3 * floored(p.z / root3);
+    const int column = static_cast<int>(floored(x));
     x -= column;
     const bool lower = z < root3 / 2;
     if (!lower) z = root3 - z;

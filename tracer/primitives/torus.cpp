@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/roots/polynomial.h"
+#include "base/roots/each_sign_change.h"
 #include "tracer/primitives/describe.h"
 
 namespace durer::tracer {
@@ -75,8 +75,8 @@ struct Torus::Ring {
     return s;
   }
 
-  /// Calls f(t, p) for the crossings of the line, ascending: all of those between `t_from` and `t_to`,
-  /// and perhaps others. Tangent lines miss.
+  /// Calls f(t, p) for the crossings of the line, ascending, until it returns false: all of those
+  /// between `t_from` and `t_to`, and perhaps others. Tangent lines miss.
   // Measured in true length from the point of the line nearest to the centre, so that the cubic
   // term vanishes and nothing grows with the distance of the ray's origin. The equation is
   // (|q|² + R² - r²)² = 4 R² (x² + z²), q = p + s d.
@@ -108,10 +108,10 @@ struct Torus::Ring {
     const double k = p2 - rr - minor * minor;
     const Polynomial<4> quartic{1, 0, 2 * (k + 2 * rr * d.y * d.y), 8 * rr * p.y * d.y,
                                 k * k + 4 * rr * (p.y * p.y - minor * minor)};
-    for (const double root : quartic_roots(quartic, lo, hi)) {
+    each_sign_change<4>(quartic, lo, hi, [&](double root) {
       const double s = polished(root, p, d);
-      f((middle + s) / length, p + s * d);
-    }
+      return f((middle + s) / length, p + s * d);
+    });
   }
 
   /// What lies outside of the plane that touches the ring, on its outside, near the apex.
@@ -126,16 +126,18 @@ struct Torus::Ring {
     each_crossing(ray, -far, far, [&](double t, dvec3 p) {
       if (on_spindle(p)) {
         out.push_back({.t = t, .side = Side::sheet});
-        return;
+        return true;
       }
       inside = !inside;
       out.push_back({.t = t, .side = inside ? Side::enter : Side::exit});
+      return true;
     });
   }
   [[nodiscard]] std::optional<Nearest> nearest(const Ray& ray, double t_from, double t_to) const {
     std::optional<Nearest> best;
     each_crossing(ray, t_from, t_to, [&](double t, dvec3 /*p*/) {
-      if (!best && t >= t_from && t < t_to) best = Nearest{t, 0};
+      if (t >= t_from && t < t_to) best = Nearest{t, 0};
+      return !best;
     });
     return best;
   }

@@ -94,12 +94,14 @@ Reflectivity reflectivity(const Finish& f, double cosi, double relative_ior, vec
   return r;
 }
 
-vec3 highlight(const Finish& f, dvec3 d, dvec3 n, dvec3 l, vec3 pigment) {
+vec3 highlight(const Finish& f, const dvec3& d, const dvec3& n, const dvec3& l, vec3 pigment) {
   double sum = 0;
   if (f.phong > 0) {
     const dvec3 mirrored = d - 2 * glm::dot(d, n) * n;
     const double s = glm::dot(mirrored, l);
-    if (s > f.least_phong && (f.phong_size < 60 || s > 0.0008)) sum += f.phong * std::pow(s, f.phong_size);
+    if (s > f.least_phong && (f.phong_size < 60 || s > 0.0008)) {
+      sum += f.phong * f.phong_size.of(s);
+    }
   }
   if (f.specular > 0) {
     const dvec3 half = (l - d) / 2.0;
@@ -110,7 +112,7 @@ vec3 highlight(const Finish& f, dvec3 d, dvec3 n, dvec3 l, vec3 pigment) {
     const double least = f.least_specular * (1 - rounding);
     if (along > 0 && along * along > least * least * square) {
       const double s = along / std::sqrt(square);
-      if (s > f.least_specular) sum += f.specular * std::pow(s, f.specular_exponent);
+      if (s > f.least_specular) sum += f.specular * f.specular_exponent.of(s);
     }
   }
   if (sum == 0) return vec3(0.0F);

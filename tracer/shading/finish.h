@@ -4,6 +4,7 @@
 #include "base/vec.h"
 #include "functions/noise.h"
 #include "scene/texture.h"
+#include "tracer/shading/power.h"
 
 namespace durer::tracer {
 
@@ -16,11 +17,11 @@ struct Finish {
   float diffuse_back = 0;
   float indirect = 0;  // shares of gathered light
   float indirect_back = 0;
-  float brilliance = 1;
+  Exponent brilliance = 1;
   float phong = 0;
-  float phong_size = 40;
+  Exponent phong_size = 40;
   float specular = 0;
-  float specular_exponent = 20;
+  Exponent specular_exponent = 20;
   // Cosines below which highlights are too weak to be worth a power.
   double least_phong = 0;
   double least_specular = 0;
@@ -62,7 +63,8 @@ struct Reflectivity {
 
 /// Phong and specular light of one lamp, without the lamp's colour; per component because metals
 /// tint it. `d`: view direction, `l`: to the light, both of unit length (shading §4.5).
-[[nodiscard]] vec3 highlight(const Finish& finish, dvec3 d, dvec3 n, dvec3 l, vec3 pigment);
+[[nodiscard]] vec3 highlight(const Finish& finish, const dvec3& d, const dvec3& n, const dvec3& l,
+                             vec3 pigment);
 
 /// Thin-film interference at the world point `p`, for the two angles' cosines (shading §4.6).
 [[nodiscard]] vec3 iridescence(const Finish& finish, dvec3 p, double cos_light, double cos_view);

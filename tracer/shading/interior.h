@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <span>
 
 #include "base/vec.h"
@@ -37,7 +38,7 @@ class Containment {
  public:
   static constexpr std::size_t capacity = 128;
 
-  Containment() = default;
+  Containment() { std::memset(ids_.data(), 0, usual * sizeof ids_[0]); }
   Containment(const Containment& other) : size_(other.size_) { copy(other); }
   Containment& operator=(const Containment& other) {
     size_ = other.size_;
@@ -72,12 +73,15 @@ class Containment {
   }
 
  private:
+  static constexpr std::uint32_t usual = 4;  // these are copied as one block, however many are set
+
   void copy(const Containment& other) {
-    for (std::uint32_t i = 0; i < size_; ++i) ids_[i] = other.ids_[i];
+    std::memcpy(ids_.data(), other.ids_.data(), usual * sizeof ids_[0]);
+    for (std::uint32_t i = usual; i < size_; ++i) ids_[i] = other.ids_[i];
   }
 
   std::uint32_t size_ = 0;
-  std::array<std::uint32_t, capacity> ids_;  // only the first size_ are set
+  std::array<std::uint32_t, capacity> ids_;  // beyond `usual`, only the first size_ are set
 };
 
 /// Ratio of two media across a surface, n before over n behind.

@@ -19,19 +19,6 @@ NormalFrame::NormalFrame(const scene::Pattern& pattern, const Transform& to_worl
   back_ = placed.backward;
 }
 
-dvec3 NormalFrame::enter(dvec3 n) const {
-  if (!moved_) return keep_scale_ ? n : glm::normalize(n);
-  n = into_.covector(n);
-  return keep_scale_ ? n : glm::normalize(n);
-}
-
-dvec3 NormalFrame::leave(dvec3 n) const {
-  if (!keep_scale_) n = glm::normalize(n);
-  if (!moved_) return n;
-  n = back_.covector(n);
-  return keep_scale_ ? n : glm::normalize(n);
-}
-
 NormalId NormalStore::add(const scene::Normal& normal, const Transform& to_world) {
   const auto id = static_cast<NormalId>(nodes_.size());
   nodes_.emplace_back();
@@ -56,16 +43,16 @@ NormalId NormalStore::add(const scene::Normal& normal, const Transform& to_world
   return id;
 }
 
-dvec3 NormalStore::at(NormalId id, dvec3 p, dvec3 n, const SurfaceView* view) const {
+dvec3 NormalStore::at(NormalId id, const dvec3& p, const dvec3& n, const SurfaceView* view) const {
   const Node& node = nodes_[id];
   if (node.pattern.type == nullptr) return n;
-  if (node.by_uv && view != nullptr) p = view->uv;
-  n = node.frame.enter(n);
-  n = perturbed(node, patterns_.warp(node.pattern, p), n, view);
-  return node.frame.leave(n);
+  const dvec3& place = node.by_uv && view != nullptr ? view->uv : p;
+  const dvec3 inner = node.frame.enter(n);
+  return node.frame.leave(perturbed(node, patterns_.warp(node.pattern, place), inner, view));
 }
 
-dvec3 NormalStore::perturbed(const Node& node, dvec3 p, dvec3 n, const SurfaceView* view) const {
+dvec3 NormalStore::perturbed(const Node& node, const dvec3& p, const dvec3& n,
+                             const SurfaceView* view) const {
   const PatternType& type = *node.pattern.type;
   if (node.first_entry != node.end_entry) {
     return type.averages ? average(node, p, n, view) : blend(node, p, n, view);
@@ -74,7 +61,8 @@ dvec3 NormalStore::perturbed(const Node& node, dvec3 p, dvec3 n, const SurfaceVi
   return slide(node, p, n, view);
 }
 
-dvec3 NormalStore::average(const Node& node, dvec3 p, dvec3 n, const SurfaceView* view) const {
+dvec3 NormalStore::average(const Node& node, const dvec3& p, const dvec3& n,
+                           const SurfaceView* view) const {
   dvec3 sum(0.0);
   double total = 0;
   for (std::uint32_t i = node.first_entry; i < node.end_entry; ++i) {
@@ -84,7 +72,8 @@ dvec3 NormalStore::average(const Node& node, dvec3 p, dvec3 n, const SurfaceView
   return sum / total;
 }
 
-dvec3 NormalStore::blend(const Node& node, dvec3 p, dvec3 n, const SurfaceView* view) const {
+dvec3 NormalStore::blend(const Node& node, const dvec3& p, const dvec3& n,
+                         const SurfaceView* view) const {
   const std::span entries(&entries_[node.first_entry], node.end_entry - node.first_entry);
   const auto found = find_neighbours(entries, PatternStore::value(node.pattern, p, view));
   const dvec3 lower = at(found.lower->child, p, n, view);
@@ -93,7 +82,8 @@ dvec3 NormalStore::blend(const Node& node, dvec3 p, dvec3 n, const SurfaceView* 
 }
 
 // The slope of the pattern, from its values at the corners of a small tetrahedron.
-dvec3 NormalStore::slide(const Node& node, dvec3 p, dvec3 n, const SurfaceView* view) const {
+dvec3 NormalStore::slide(const Node& node, const dvec3& p, const dvec3& n,
+                         const SurfaceView* view) const {
   static constexpr std::array corners{
       dvec3(0.942809041, -0.333333333, 0),
       dvec3(-0.471404521, -0.333333333, 0.816496581),
@@ -102,12 +92,13 @@ dvec3 NormalStore::slide(const Node& node, dvec3 p, dvec3 n, const SurfaceView* 
   };
   const double size = node.accuracy;
   const double amount = node.amount * -5.0 * (0.02 / size);
-  for (const dvec3& v : corners) n += amount * height(node, p + size * v, view) * v;
-  return n;
+  dvec3 slid = n;
+  for (const dvec3& v : corners) slid += amount * height(node, p + size * v, view) * v;
+  return slid;
 }
 
 // The pattern's value, through the slope map if there is one (textures §13.3).
-double NormalStore::height(const Node& node, dvec3 p, const SurfaceView* view) const {
+double NormalStore::height(const Node& node, const dvec3& p, const SurfaceView* view) const {
   const double value = PatternStore::value(node.pattern, p, view);
   if (node.first_slope == node.end_slope) return value;
   const std::span slopes(&slopes_[node.first_slope], node.end_slope - node.first_slope);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <vector>
 
 #include "scene/texture.h"
@@ -20,8 +21,16 @@ class NormalFrame {
   /// `keep_scale`: the word `no_bump_scale`, lengths are left as they are.
   NormalFrame(const scene::Pattern& pattern, const Transform& to_world, bool keep_scale);
 
-  [[nodiscard]] dvec3 enter(dvec3 n) const;
-  [[nodiscard]] dvec3 leave(dvec3 n) const;
+  [[nodiscard]] dvec3 enter(dvec3 n) const {
+    if (moved_) n = into_.covector(n);
+    return keep_scale_ ? n : glm::normalize(n);
+  }
+  [[nodiscard]] dvec3 leave(dvec3 n) const {
+    if (!keep_scale_) n = glm::normalize(n);
+    if (!moved_) return n;
+    n = back_.covector(n);
+    return keep_scale_ ? n : glm::normalize(n);
+  }
 
  private:
   bool moved_ = false;
@@ -40,7 +49,8 @@ class NormalStore {
 
   /// What becomes of the normal `n` at `p`, both in the space around the normal. Not of unit
   /// length if the word `no_bump_scale` says so.
-  [[nodiscard]] dvec3 at(NormalId id, dvec3 p, dvec3 n, const SurfaceView* view) const;
+  [[nodiscard]] dvec3 at(NormalId id, const dvec3& p, const dvec3& n,
+                         const SurfaceView* view) const;
 
  private:
   struct Entry {
@@ -59,11 +69,15 @@ class NormalStore {
     bool by_uv = false;  // looked up at (u, v, 0)
   };
 
-  [[nodiscard]] dvec3 perturbed(const Node& node, dvec3 p, dvec3 n, const SurfaceView* view) const;
-  [[nodiscard]] dvec3 average(const Node& node, dvec3 p, dvec3 n, const SurfaceView* view) const;
-  [[nodiscard]] dvec3 blend(const Node& node, dvec3 p, dvec3 n, const SurfaceView* view) const;
-  [[nodiscard]] dvec3 slide(const Node& node, dvec3 p, dvec3 n, const SurfaceView* view) const;
-  [[nodiscard]] double height(const Node& node, dvec3 p, const SurfaceView* view) const;
+  [[nodiscard]] dvec3 perturbed(const Node& node, const dvec3& p, const dvec3& n,
+                                const SurfaceView* view) const;
+  [[nodiscard]] dvec3 average(const Node& node, const dvec3& p, const dvec3& n,
+                              const SurfaceView* view) const;
+  [[nodiscard]] dvec3 blend(const Node& node, const dvec3& p, const dvec3& n,
+                            const SurfaceView* view) const;
+  [[nodiscard]] dvec3 slide(const Node& node, const dvec3& p, const dvec3& n,
+                            const SurfaceView* view) const;
+  [[nodiscard]] double height(const Node& node, const dvec3& p, const SurfaceView* view) const;
 
   PatternStore patterns_;
   std::vector<Node> nodes_;

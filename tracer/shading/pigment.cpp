@@ -52,7 +52,7 @@ PigmentId PigmentStore::add(const scene::Pigment& pigment, const Transform& to_w
   return id;
 }
 
-Colour PigmentStore::at(PigmentId id, dvec3 p, const SurfaceView* view) const {
+Colour PigmentStore::at(PigmentId id, const dvec3& p, const SurfaceView* view) const {
   const Node& node = nodes_[id];
   if (node.pattern.type == nullptr) return node.colour;
   const dvec3 warped = patterns_.warp(node.pattern, place(node, p, view));
@@ -70,7 +70,7 @@ void PigmentStore::at(PigmentId id, std::span<dvec3> points, Colour* out) const 
   }
   patterns_.warp(node.pattern, points);
   if (node.pattern.type->colour != nullptr) {
-    for (const dvec3 p : points) *out++ = node.pattern.type->colour(node.pattern.state, p);
+    for (const dvec3& p : points) *out++ = node.pattern.type->colour(node.pattern.state, p);
     return;
   }
   std::array<double, most_points> values;
@@ -80,7 +80,7 @@ void PigmentStore::at(PigmentId id, std::span<dvec3> points, Colour* out) const 
   }
 }
 
-bool PigmentStore::covers(PigmentId id, dvec3 p, const SurfaceView* view) const {
+bool PigmentStore::covers(PigmentId id, const dvec3& p, const SurfaceView* view) const {
   const Node& node = nodes_[id];
   if (node.pattern.type == nullptr) return true;
   const dvec3 warped = patterns_.warp(node.pattern, place(node, p, view));
@@ -103,7 +103,7 @@ double PigmentStore::pattern_value(PigmentId id, dvec3 p) const {
   return PatternStore::value(node.pattern, patterns_.warp(node.pattern, p));
 }
 
-Colour PigmentStore::select(const Node& node, double value, dvec3 p,
+Colour PigmentStore::select(const Node& node, double value, const dvec3& p,
                             const SurfaceView* view) const {
   const std::span entries(&entries_[node.first_entry], node.end_entry - node.first_entry);
   if (node.pattern.type->averages) return average(entries, p, view);
@@ -113,7 +113,7 @@ Colour PigmentStore::select(const Node& node, double value, dvec3 p,
   return mix(lower, entry_colour(*found.upper, p, view), found.t);
 }
 
-Colour PigmentStore::average(std::span<const Entry> entries, dvec3 p,
+Colour PigmentStore::average(std::span<const Entry> entries, const dvec3& p,
                              const SurfaceView* view) const {
   Colour sum;
   float total = 0;
@@ -127,7 +127,8 @@ Colour PigmentStore::average(std::span<const Entry> entries, dvec3 p,
   return {sum.rgb / total, sum.filter / total, sum.transmit / total};
 }
 
-Colour PigmentStore::entry_colour(const Entry& entry, dvec3 p, const SurfaceView* view) const {
+Colour PigmentStore::entry_colour(const Entry& entry, const dvec3& p,
+                                  const SurfaceView* view) const {
   return entry.child == scene::none ? entry.colour : at(entry.child, p, view);
 }
 

@@ -26,7 +26,7 @@ class PigmentStore {
 
   /// The pigment's colour at a world point (textures §3, §11.1).
   /// `view`: what a ray sees there, for patterns that ask; null away from surfaces.
-  [[nodiscard]] Colour at(PigmentId id, dvec3 p, const SurfaceView* view = nullptr) const;
+  [[nodiscard]] Colour at(PigmentId id, const dvec3& p, const SurfaceView* view = nullptr) const;
 
   /// The same at several world points away from surfaces. `points` are moved about meanwhile.
   static constexpr std::size_t most_points = 16;
@@ -34,7 +34,7 @@ class PigmentStore {
 
   /// False where it shows nothing: beyond a picture that is shown once, and only there (textures
   /// §14.4).
-  [[nodiscard]] bool covers(PigmentId id, dvec3 p, const SurfaceView* view = nullptr) const;
+  [[nodiscard]] bool covers(PigmentId id, const dvec3& p, const SurfaceView* view = nullptr) const;
 
   /// The value that its pattern selects colours with, at a world point; 0 if it has no pattern.
   [[nodiscard]] double pattern_value(PigmentId id, dvec3 p) const;
@@ -56,14 +56,16 @@ class PigmentStore {
     bool by_uv = false;  // looked up at (u, v, 0)
   };
 
-  [[nodiscard]] static dvec3 place(const Node& node, dvec3 p, const SurfaceView* view) {
+  [[nodiscard]] static const dvec3& place(const Node& node, const dvec3& p,
+                                          const SurfaceView* view) {
     return node.by_uv && view != nullptr ? view->uv : p;
   }
-  [[nodiscard]] Colour select(const Node& node, double value, dvec3 warped,
+  [[nodiscard]] Colour select(const Node& node, double value, const dvec3& warped,
                               const SurfaceView* view) const;
-  [[nodiscard]] Colour average(std::span<const Entry> entries, dvec3 p,
+  [[nodiscard]] Colour average(std::span<const Entry> entries, const dvec3& p,
                                const SurfaceView* view) const;
-  [[nodiscard]] Colour entry_colour(const Entry& entry, dvec3 p, const SurfaceView* view) const;
+  [[nodiscard]] Colour entry_colour(const Entry& entry, const dvec3& p,
+                                    const SurfaceView* view) const;
 
   PatternStore patterns_;
   bool quick_;

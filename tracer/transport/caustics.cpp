@@ -60,7 +60,8 @@ vec3 Tracer::plain_caustics(const View& view, const LayerPoint& layer) {
     const float spread = std::clamp(glm::dot(g, photon.l), least_cosine, 1.0F);
     if (const float share = hidden ? f.diffuse_back : f.diffuse; share > 0) {
       const float bright =
-          f.brilliance == 1 ? std::abs(cosine) : std::pow(std::abs(cosine), f.brilliance);
+          f.brilliance.is_one() ? std::abs(cosine)
+                                : std::pow(std::abs(cosine), float{f.brilliance});
       sum += share * bright / spread * photon.power;
     }
     if (shines && !hidden) {

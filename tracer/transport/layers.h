@@ -30,7 +30,7 @@ Tracer::LayerSum Tracer::walk_layers(const View& view, float least, const Visit&
     const dvec3 n = program.normal == scene::none ? view.g : bend(view, program, seen);
     if (i == first) sum.top = n;
     const Colour c = textures.pigments().at(program.pigment, view.q, &seen);
-    const LayerPoint layer{&textures.finish(program), n, c.rgb, opacity(c)};
+    const LayerPoint layer{&textures.finish(program), opacity(c), n, c.rgb};
     const vec3 rho = visit(layer, sum);
     sum.through *= c.transmission();
     if (layer.finish->conserve_energy) sum.through *= glm::min(vec3(1.0F), 1.0F - rho);

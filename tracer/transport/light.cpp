@@ -3,10 +3,31 @@
 #include <glm/geometric.hpp>
 #include <new>
 
+#include "functions/simd/inline.h"
 #include "tracer/random.h"
 #include "tracer/transport/trace.h"
 
 namespace durer::tracer {
+
+// Inline, and by reference: nearly all lamps are asked from illuminate(), once for every layer.
+DURER_INLINE vec3 Tracer::shade_from(const View& view, const LayerPoint& layer, const dvec3& l,
+                                     const vec3& light, Facing facing) const {
+  const Finish& f = *layer.finish;
+  const double cosine = glm::dot(layer.n, l);
+  vec3 sum(0.0F);
+  const float k = facing.backside ? f.diffuse_back : f.diffuse;
+  if (k > 0) {
+    const double bright = f.brilliance.of(std::abs(cosine));
+    float intensity = static_cast<float>(bright) * k * layer.opacity;
+    if (facing.grain && f.crand > 0) intensity -= random_unit(scratch_->noise) * f.crand;
+    sum = intensity * layer.pigment * light;
+  }
+  if (f.highlights && !view.gathering && !facing.backside && facing.highlights) {
+    sum += highlight(f, view.d, layer.n, l, layer.pigment) * light;
+  }
+  if (f.irid > 0) sum *= iridescence(f, view.p, cosine, glm::dot(layer.n, view.d));
+  return sum;
+}
 
 vec3 Tracer::illuminate(const View& view, const Path& path, const LayerPoint& layer,
                         bool first_lit) {
@@ -25,7 +46,8 @@ vec3 Tracer::illuminate(const View& view, const Path& path, const LayerPoint& la
     }
     if (dark(lamp.shadowed)) continue;
     sum += spread ? shade_by_area(view, layer, light, lamp)
-                  : shade(view, layer, {lamp.in.l, lamp.shadowed, !light.shadowless}, hidden);
+                  : shade_from(view, layer, lamp.in.l, lamp.shadowed,
+                               {hidden, !light.shadowless, true});
   }
   return sum;
 }
@@ -49,7 +71,7 @@ void Tracer::find_lamps(const View& view) {
   }
 }
 
-bool Tracer::is_behind(const View& view, const LayerPoint& layer, dvec3 l) {
+bool Tracer::is_behind(const View& view, const LayerPoint& layer, const dvec3& l) {
   return glm::dot(layer.n, l) < epsilon && !view.double_illuminate;
 }
 
@@ -76,23 +98,7 @@ vec3 Tracer::shade_by_area(const View& view, const LayerPoint& layer, const Ligh
 
 vec3 Tracer::shade(const View& view, const LayerPoint& layer, const Beam& beam, bool backside,
                    bool grain) const {
-  const Finish& f = *layer.finish;
-  const dvec3 l = beam.l;
-  const double cosine = glm::dot(layer.n, l);
-  vec3 sum(0.0F);
-  const float k = backside ? f.diffuse_back : f.diffuse;
-  if (k > 0) {
-    const double c = std::abs(cosine);
-    const double bright = f.brilliance == 1 ? c : std::pow(c, f.brilliance);
-    float intensity = static_cast<float>(bright) * k * layer.opacity;
-    if (grain && f.crand > 0) intensity -= random_unit(scratch_->noise) * f.crand;
-    sum = intensity * layer.pigment * beam.light;
-  }
-  if (f.highlights && !view.gathering && !backside && beam.highlights) {
-    sum += highlight(f, view.d, layer.n, l, layer.pigment) * beam.light;
-  }
-  if (f.irid > 0) sum *= iridescence(f, view.p, cosine, glm::dot(layer.n, view.d));
-  return sum;
+  return shade_from(view, layer, beam.l, beam.light, {backside, beam.highlights, grain});
 }
 
 }  // namespace durer::tracer

@@ -194,7 +194,7 @@ Tracer::LayerSum PhotonTracer::layers(const View& view, const Path& path) {
     const dvec3 n = program.normal == scene::none ? view.g : tracer_.bend(view, program, seen);
     if (i == view.texture->first_layer) sum.top = n;
     const Colour c = textures.pigments().at(program.pigment, view.q, &seen);
-    const Tracer::LayerPoint layer{&textures.finish(program), n, c.rgb, 1};
+    const Tracer::LayerPoint layer{&textures.finish(program), 1, n, c.rgb};
     vec3 rho(0.0F);
     if (layer.finish->reflects) rho = tracer_.remember_reflection(view, path, layer, sum.sigma);
     sum.through *= c.transmission();

@@ -4,8 +4,9 @@
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
-#include <optional>
+#include <utility>
 
+#include "functions/simd/inline.h"
 #include "tracer/shading/spectrum.h"
 #include "tracer/transport/layers.h"
 
@@ -78,58 +79,70 @@ Finish Tracer::without_diffuse(const Finish& finish) const {
   return f;
 }
 
+// What one layer sends out by itself, which is `light`, and of the light that falls onto it.
+DURER_INLINE vec3 Tracer::light_of(const View& view, const Path& path, const LayerPoint& layer,
+                                   const vec3& through, vec3 light, LayersLight& so_far) {
+  const Finish& f = *layer.finish;
+  if (f.lit) {
+    light += illuminate(view, path, layer, so_far.first_lit);
+    if (so_far.photons) {
+      if (so_far.first_lit) find_photons(view, layer.n);
+      light += caustics(view, layer);
+    }
+    so_far.first_lit = false;
+  }
+  if (so_far.gathers && (f.indirect != 0 || f.indirect_back != 0)) {
+    light += indirect_part(view, path, layer, through, so_far.around);
+    so_far.first_lit = true;  // gathering lights other surfaces
+  }
+  return light;
+}
+
 Tracer::LayerSum Tracer::sum_layers(const View& view, const Path& path) {
-  const bool gathers =
-      scene_->radiosity && path.bounce < scene_->radiosity->bounces.size();
-  Indirect around;
-  const bool photons = view.collects && has_caustics();
-  bool first_lit = true;  // layers may ignore the lights that others need
-  return walk_layers(view, limits(path).adc, [&](const LayerPoint& whole, LayerSum& sum) {
+  LayersLight so_far;
+  so_far.gathers = scene_->radiosity && path.bounce < scene_->radiosity->bounces.size();
+  so_far.photons = view.collects && has_caustics();
+  return walk_layers(view, limits(path).adc, [&](const LayerPoint& layer, LayerSum& sum) {
     if (!quality_.lights) {
-      sum.colour = whole.pigment;
+      sum.colour = layer.pigment;
       return vec3(0.0F);
     }
-    vec3 from_below(0.0F);
-    std::optional<Finish> above;  // what is left of the finish where light goes below
-    std::optional<LayerPoint> left;
-    if (is_translucent(view, *whole.finish)) {
-      from_below = subsurface(view, path, whole);
-      first_lit = true;  // it lights other places
-      above = without_diffuse(*whole.finish);
-      left = whole;
-      left->finish = &*above;
-    }
-    const LayerPoint& layer = left ? *left : whole;
-    const Finish& f = *layer.finish;
+    const vec3 glow = layer.pigment * layer.finish->glow_pigment * layer.opacity;
     vec3 rho(0.0F);
-    if (f.reflects) rho = remember_reflection(view, path, whole, sum.sigma);
-    vec3 light = layer.pigment * f.glow_pigment * layer.opacity + from_below;
-    if (f.lit) {
-      light += illuminate(view, path, layer, first_lit);
-      if (photons) {
-        if (first_lit) find_photons(view, layer.n);
-        light += caustics(view, layer);
-      }
-      first_lit = false;
-    }
-    if (gathers && (f.indirect != 0 || f.indirect_back != 0)) {
-      light += indirect_part(view, path, layer, sum.through, around);
-      first_lit = true;  // gathering lights other surfaces
-    }
+    if (layer.finish->reflects) rho = remember_reflection(view, path, layer, sum.sigma);
+    const vec3 light = scene_->subsurface && is_translucent(view, *layer.finish)
+                           ? light_of_translucent(view, path, layer, sum.through, glow, so_far)
+                           : light_of(view, path, layer, sum.through, glow, so_far);
     sum.colour += light * sum.through;
     return rho;
   });
 }
 
+// The same where light goes below the surface: only what is left of the finish counts above.
+vec3 Tracer::light_of_translucent(const View& view, const Path& path, const LayerPoint& layer,
+                                  const vec3& through, vec3 glow, LayersLight& so_far) {
+  glow += subsurface(view, path, layer);
+  so_far.first_lit = true;  // it lights other places
+  const Finish above = without_diffuse(*layer.finish);
+  LayerPoint rest = layer;
+  rest.finish = &above;
+  return light_of(view, path, rest, through, glow, so_far);
+}
+
 // The normal of a layer. Afterwards `seen` has it as patterns of the layer see it, which is inside
 // of the patterned textures around it (textures §13.1, §13.5).
 dvec3 Tracer::bend(const View& view, const LayerProgram& layer, SurfaceView& seen) const {
+  const NormalStore& normals = scene_->textures.normals();
+  if (view.places == 0 && view.frame_count == 0) {
+    seen.n = normals.at(layer.normal, view.q, view.g, &seen);
+    return glm::normalize(seen.n);
+  }
   dvec3 n = view.g;
   for (std::uint32_t i = 0; i < view.places; ++i) {
     n = glm::normalize(view.spaces[i]->forward.covector(n));
   }
   for (std::uint32_t i = 0; i < view.frame_count; ++i) n = view.frames[i]->enter(n);
-  n = scene_->textures.normals().at(layer.normal, view.q, n, &seen);
+  n = normals.at(layer.normal, view.q, n, &seen);
   const auto back_to_world = [&view](dvec3 inner) {
     for (std::uint32_t i = view.places; i-- > 0;) {
       inner = glm::normalize(view.spaces[i]->backward.covector(inner));
@@ -155,11 +168,12 @@ vec3 Tracer::remember_reflection(const View& view, const Path& path, const Layer
                                  float sigma) {
   const Reflectivity r = reflectivity_of(view, path.inside, layer);
   if (quality_.reflection && r.rho != vec3(0.0F)) {
-    Reflection& later = scratch_->reflections.emplace_back();
-    later.finish = layer.finish;
-    later.n = layer.n;
-    later.rho = r.rho;
-    later.weight = path.weight * sigma * r.weight;
+    // Made in place, and read member by member: as a whole it would be read before it is written.
+    Reflection& kept = scratch_->reflections.emplace_back();
+    kept.finish = layer.finish;
+    kept.n = layer.n;
+    kept.rho = r.rho;
+    kept.weight = path.weight * sigma * r.weight;
   }
   return r.rho;
 }
@@ -268,7 +282,7 @@ Radiance Tracer::disperse(const View& view, const LayerSum& layers, const Path& 
     vec3 tint = band.hue;
     if (const auto film = bend_path(view, layers, path, c.eta(band.wavelength), ray)) tint *= *film;
     ray.wavelength = band.wavelength;
-    const Radiance r = follow(ray, false);
+    const Radiance r = trace(std::move(ray));
     sum.colour += tint * r.colour;
     sum.transmittance += r.transmittance;
   }
@@ -282,21 +296,23 @@ vec3 Tracer::reflect(const View& view, const LayerSum& layers, Path& arrived,
   vec3 sum(0.0F);
   const std::size_t end = scratch_->reflections.size();
   for (std::size_t i = first; i < end; ++i) {
-    const Reflection r = scratch_->reflections[i];  // a copy: tracing moves the stack
-    if (tir && same_direction(r.n, layers.top)) continue;
-    const dvec3 d = mirror(view.d, r.n, view.g);
+    // Copies: tracing moves the stack.
+    const Finish& f = *scratch_->reflections[i].finish;
+    const dvec3 n = scratch_->reflections[i].n;
+    const vec3 rho = scratch_->reflections[i].rho;
+    if (tir && same_direction(n, layers.top)) continue;
+    const dvec3 d = mirror(view.d, n, view.g);
     const auto along = [&](Path& path) {
       path.ray = {view.p, d};
-      path.weight = r.weight;
+      path.weight = scratch_->reflections[i].weight;
       path.reflected = true;
-      return follow(path, false).colour;
+      return trace(std::move(path)).colour;
     };
     Path path;
     vec3 light = i + 1 < end ? along(path = arrived) : along(arrived);
-    const Finish& f = *r.finish;
-    if (f.irid > 0) light *= iridescence(f, view.p, glm::dot(r.n, d), glm::dot(r.n, view.d));
+    if (f.irid > 0) light *= iridescence(f, view.p, glm::dot(n, d), glm::dot(n, view.d));
     if (f.reflection_power != 1) light = glm::pow(light, vec3(f.reflection_power));
-    sum += r.rho * light;
+    sum += rho * light;
   }
   return sum;
 }

@@ -148,9 +148,12 @@ class Tracer {
   /// `alpha`: see RenderOptions.
   Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha);
 
-  [[nodiscard]] Radiance trace(Path path) { return follow(path, false); }
-  /// The same; `path` is used up.
-  [[nodiscard]] Radiance trace_on(Path& path) { return follow(path, false); }
+  [[nodiscard]] Radiance trace(const Path& path) {
+    Path own = path;
+    return follow(own, false);
+  }
+  /// The same for a path that nobody needs any more.
+  [[nodiscard]] Radiance trace(Path&& path) { return follow(path, false); }
 
  private:
   friend class MediaIntegrator;
@@ -187,9 +190,9 @@ class Tracer {
   // One layer at a point.
   struct LayerPoint {
     const Finish* finish = nullptr;
+    float opacity = 1;
     dvec3 n{0.0};
     vec3 pigment{0.0F};
-    float opacity = 1;
   };
   // Light from one surface; when `continues`, the path has been turned into the transmitted ray.
   struct Step {
@@ -257,6 +260,18 @@ class Tracer {
     bool front_known = false;
     bool back_known = false;
   };
+  // What the layers of a surface know of each other's light.
+  struct LayersLight {
+    Indirect around;
+    bool gathers = false;
+    bool photons = false;
+    bool first_lit = true;  // layers may ignore the lights that others need
+  };
+  [[nodiscard]] inline vec3 light_of(const View& view, const Path& path, const LayerPoint& layer,
+                                     const vec3& through, vec3 light, LayersLight& so_far);
+  [[nodiscard]] vec3 light_of_translucent(const View& view, const Path& path,
+                                          const LayerPoint& layer, const vec3& through,
+                                          vec3 glow, LayersLight& so_far);
   [[nodiscard]] vec3 indirect_part(const View& view, const Path& path, const LayerPoint& layer,
                                    vec3 through, Indirect& known);
   [[nodiscard]] vec3 indirect(const View& view, dvec3 layer_normal, float weight,
@@ -297,7 +312,7 @@ class Tracer {
                                 bool first_lit);
   void find_lamps(const View& view);
   [[nodiscard]] static bool spreads(const Light& light, const View& view);
-  [[nodiscard]] static bool is_behind(const View& view, const LayerPoint& layer, dvec3 l);
+  [[nodiscard]] static bool is_behind(const View& view, const LayerPoint& layer, const dvec3& l);
   [[nodiscard]] vec3 shade_by_area(const View& view, const LayerPoint& layer, const Light& light,
                                    const LampAtPoint& lamp);
   // Light from one direction.
@@ -306,6 +321,14 @@ class Tracer {
     vec3 light{0.0F};
     bool highlights = true;
   };
+  // How a surface lies towards light.
+  struct Facing {
+    bool backside = false;
+    bool highlights = true;
+    bool grain = true;  // with `crand`
+  };
+  [[nodiscard]] inline vec3 shade_from(const View& view, const LayerPoint& layer, const dvec3& l,
+                                       const vec3& light, Facing facing) const;
   /// `grain`: with `crand`.
   [[nodiscard]] vec3 shade(const View& view, const LayerPoint& layer, const Beam& beam,
                            bool backside, bool grain = true) const;

@@ -8,7 +8,7 @@ namespace durer::tracer {
 /// A warp as the tracer runs it.
 struct WarpType : scene::TypeInfo {
   void (*prepare)(std::span<const double> args, PatternState& state) = nullptr;
-  dvec3 (*apply)(const PatternState& state, dvec3 p) = nullptr;
+  dvec3 (*apply)(const PatternState& state, const dvec3& p) = nullptr;
   /// The same for several points, in place.
   void (*apply_all)(const PatternState& state, std::span<dvec3> points) = nullptr;
 };
@@ -28,7 +28,7 @@ void prepare(std::span<const double> args, PatternState& state) {
 }
 
 template <typename W>
-dvec3 apply(const PatternState& state, dvec3 p) {
+dvec3 apply(const PatternState& state, const dvec3& p) {
   return state.as<W>()(p);
 }
 
