@@ -1,4 +1,4 @@
-// bench: +W1024 +H768 -A; 200 spotlights over a row of columns
+// bench: +W1024 +H768 +A0.3; 200 spotlights over a row of columns
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 5, -11> look_at <0, 0.8, 0> angle 46 }

@@ -66,6 +66,7 @@ image::Encoding encoding_of(const Settings& s, const scene::Settings& scene) {
   e.alpha = s.alpha;
   if (s.dither) e.dither = s.dither_method;
   e.compression = s.compressed_tga ? 1 : s.compression;
+  e.threads = s.threads;
   return e;
 }
 

@@ -46,6 +46,7 @@ struct Encoding {
   bool alpha = false;
   Dither dither = Dither::none;          // PNG, TGA, BMP and PPM
   int compression = -1;  // JPEG quality 0…100, PNG 0…9, TGA 0 or 1; -1: default
+  int threads = 1;       // that work on it, where a format has use for several; 0: one per processor
 };
 
 /// The bytes of a whole file, or what stands in the way.

@@ -1,9 +1,9 @@
 // Rows of a PNG → the compressed stream of its IDAT chunks.
 #pragma once
 
-#include <zlib.h>
-
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -12,37 +12,40 @@ namespace durer::image {
 /// Filters each row as suits it, then compresses it. Rendered surfaces are grainy: once filtered,
 /// they hold hardly any repetitions, and searching for some took longer than rendering many a
 /// scene. So a stretch of rows is searched only where a sample of it says that this is worth it.
+///
+/// Stretches are compressed side by side, each with the end of the one before as its dictionary,
+/// and joined at byte boundaries, as pigz does it. The stream is the same for any number of
+/// threads.
 class PngRows {
  public:
-  /// `pixel_bytes`: distance to the same sample of the next pixel. `level`: 0…9 as zlib has it,
-  /// or -1 for what suits the rows.
+  /// `row_bytes`: of each row. `pixel_bytes`: distance to the same sample of the next pixel.
+  /// `level`: 0…9 as zlib has it, or -1 for what suits the rows.
   PngRows(std::size_t row_bytes, std::size_t pixel_bytes, int level);
-  ~PngRows();
-  PngRows(const PngRows&) = delete;
-  PngRows& operator=(const PngRows&) = delete;
 
   /// The next row, of `row_bytes`.
   void add(std::span<const unsigned char> row);
-  /// The whole stream, after the last row; empty if memory ran out.
-  [[nodiscard]] std::vector<unsigned char> finish();
+  /// The whole stream, after the last row; empty if memory ran out. `threads` work on it; 0:
+  /// one per processor.
+  [[nodiscard]] std::vector<unsigned char> finish(int threads);
 
  private:
-  void filter();
-  void compress(bool last);
-  void run(int flush);
-  [[nodiscard]] bool repetitive(std::span<unsigned char> part);
-  [[nodiscard]] std::size_t size_of(std::span<unsigned char> part, int level, int strategy);
+  struct Stretch {
+    std::size_t first_row, end_row;
+    std::vector<unsigned char> filtered;
+    std::vector<unsigned char> compressed;
+    std::uint32_t checksum;
+    bool fine;
+  };
+  [[nodiscard]] const unsigned char* row(std::size_t y) const;
+  void filter(Stretch& stretch) const;
+  void compress(const Stretch* before, Stretch& stretch, bool last) const;
 
+  std::size_t row_bytes_;
   std::size_t pixel_bytes_;
   int level_;
-  int strategy_;
-  // `pixel_bytes` zeros before each row stand for what lies left of it.
-  std::vector<unsigned char> row_, above_;
-  std::array<std::vector<unsigned char>, 5> filtered_;  // the row, by each filter
-  std::vector<unsigned char> waiting_;                  // filtered rows
-  std::vector<unsigned char> out_, sample_;
-  z_stream stream_{}, sampler_{};
-  bool fine_ = true;
+  std::size_t count_ = 0;
+  // A row of zeros, then the rows; `pixel_bytes` zeros before each stand for what lies left of it.
+  std::vector<unsigned char> rows_;
 };
 
 }  // namespace durer::image

@@ -59,7 +59,7 @@ std::vector<unsigned char> compressed(const Image& image, const Encoding& encodi
     }
     rows.add(bytes);
   }
-  return rows.finish();
+  return rows.finish(encoding.threads);
 }
 
 /// False if libpng stopped with an error: it jumps back to here, so nothing in this function may

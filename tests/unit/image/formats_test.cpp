@@ -106,6 +106,10 @@ TEST_CASE("formats: a large PNG comes back, grainy, flat and striped, at every l
   e.compression = GENERATE(-1, 0, 1, 9);
   CAPTURE(e.bits, e.compression);
   REQUIRE_FALSE(write(image, folder / "a.png", *format_named("png"), e));
+  Encoding side_by_side = e;
+  side_by_side.threads = 3;
+  CHECK(format_named("png")->encode(image, side_by_side).bytes ==
+        format_named("png")->encode(image, e).bytes);
   const auto stored = test::read_back(folder / "a.png");
   const Codes codes = to_codes(image, e, depth_for(e.bits), false);
   REQUIRE(stored.values.size() == codes.values.size());
