@@ -1,5 +1,6 @@
 #include "image/png_rows.h"
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #include <zlib.h>
@@ -159,7 +160,10 @@ std::vector<unsigned char> PngRows::finish(int threads) {
   for (std::size_t y = 0; y < count_; y += rows_each) {
     stretches.push_back({y, std::min(y + rows_each, count_), {}, {}, 0, true});
   }
-  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  if (threads <= 0) threads = tbb::this_task_arena::max_concurrency();
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
   arena.execute([&] {
     // Two rounds, because a stretch looks back into the filtered rows before it.
     tbb::parallel_for(std::size_t{0}, stretches.size(),
