@@ -30,7 +30,7 @@ PUBLIC = {
 LIBRARIES = {
     "tao/pegtl": ["grammar/"],
     "embree": ["tracer/accel/embree_api.h"],
-    "tbb/": ["tracer/film/"],
+    "tbb/": ["tracer/film/", "image/png_rows.cpp"],
     "oneapi/tbb": ["tracer/film/"],
     "OpenImageIO": ["image/"],
     "CLI/": ["cli/"],
