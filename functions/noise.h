@@ -55,6 +55,9 @@ struct Octaves {
 };
 /// Scalar turbulence (marble, agate, spirals, fog, iridescence; textures §2.7).
 [[nodiscard]] double turbulence(dvec3 p, const Octaves& octaves, NoiseGenerator generator);
+/// out[i] = turbulence(points[i]), to the last bit. `out` is as long as `points`.
+void turbulence(std::span<const dvec3> points, const Octaves& octaves, NoiseGenerator generator,
+                std::span<double> out);
 /// Vector turbulence (textures §2.7), in pattern units.
 [[nodiscard]] dvec3 vturbulence(dvec3 p, const Octaves& octaves);
 /// out[i] = vturbulence(points[i]), to the last bit. `out` is as long as `points`, or the same.
@@ -62,8 +65,13 @@ void vturbulence(std::span<const dvec3> points, const Octaves& octaves, std::spa
 
 /// out[i] = noise(lambda^i * p) for i < `count`. `out` has room for the next multiple of four.
 void noise_octaves(dvec3 p, double lambda, int count, NoiseGenerator generator, double* out);
+/// The same for up to four points: out[4 * i + k] is that of point k.
+void noise_octaves(std::span<const dvec3> points, double lambda, int count,
+                   NoiseGenerator generator, double* out);
 /// Sum of |vnoise(2^i * p)| / 2^i for i < `count`, component by component.
 [[nodiscard]] dvec3 folded_vnoise(dvec3 p, int count);
+/// out[i] = folded_vnoise(points[i]), to the last bit. `out` is as long as `points`.
+void folded_vnoise(std::span<const dvec3> points, int count, std::span<dvec3> out);
 
 /// Integer hashes into 0..4095; arguments in two's complement (textures §2.2).
 [[nodiscard]] int hash2(int a, int b);
