@@ -1,7 +1,10 @@
 #include "tracer/film/eye.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <new>
 #include <utility>
 
 #include "tracer/sobol.h"
@@ -59,6 +62,34 @@ Pixel Eye::see(double x, double y, std::uint32_t index) {
       [&](int n) { return through_lens(view_->lens.moved(x, y, n), {x, y}, index, n); });
 }
 
+void Eye::see_row(int left, int y, std::span<Pixel> out) {
+  if (view_->lens.blurs() || view_->turns != 1) {
+    for (Pixel& pixel : out) pixel = see(left++, y, 0);
+    return;
+  }
+  samples_.resize(Tracer::most_together);
+  std::array<Pixel*, Tracer::most_together> pixels;
+  for (std::size_t done = 0; done < out.size(); done += Tracer::most_together) {
+    std::size_t count = 0;
+    for (Pixel& pixel : out.subspan(done, std::min(out.size() - done, Tracer::most_together))) {
+      const int x = left++;
+      CameraRay ray;
+      if (!camera_ray(x, y, 0, ray)) {
+        pixel = nothing;
+        continue;
+      }
+      Sample& sample = samples_[count];
+      sample.noise = seed(x, y, 0);
+      start(ray, *::new (&sample.path) Path);  // made in place
+      pixels[count++] = &pixel;
+    }
+    tracer_.trace(std::span(samples_).first(count));
+    for (std::size_t i = 0; i < count; ++i) {
+      *pixels[i] = Pixel(samples_[i].seen.colour, samples_[i].seen.transmittance);
+    }
+  }
+}
+
 Pixel Eye::sample(int x, int y, std::uint32_t index) {
   const auto column = static_cast<std::uint32_t>(x);
   const auto row = static_cast<std::uint32_t>(y);
@@ -107,6 +138,14 @@ Pixel Eye::through_lens(dvec2 at, dvec2 pixel, std::uint32_t index, int sample) 
 Pixel Eye::look_along(const CameraRay& ray, double x, double y, std::uint32_t index) {
   scratch_.noise = seed(x, y, index);
   Path path;
+  start(ray, path);
+  const auto pixel = [](const Radiance& r) { return Pixel(r.colour, r.transmittance); };
+  if (view_->scene->quality.path) return pixel(paths_.trace(path, random_));
+  return pixel(tracer_.trace(std::move(path)));
+}
+
+/// A path as it leaves the camera.
+void Eye::start(const CameraRay& ray, Path& path) {
   path.ray = {ray.ray.o, glm::normalize(ray.ray.d)};
   if (view_->bump != scene::none) {
     const dvec3 place(ray.plane.x, ray.plane.y, 0);
@@ -118,9 +157,6 @@ Pixel Eye::look_along(const CameraRay& ray, double x, double y, std::uint32_t in
   } else {
     find_around(path.ray.o, path.inside);
   }
-  const auto pixel = [](const Radiance& r) { return Pixel(r.colour, r.transmittance); };
-  if (view_->scene->quality.path) return pixel(paths_.trace(path, random_));
-  return pixel(tracer_.trace(std::move(path)));
 }
 
 /// Adds the bodies that hold `p`.

@@ -1,6 +1,9 @@
 // One sample of the picture: through camera and lens into the scene (shading §2).
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "tracer/cameras/camera.h"
 #include "tracer/film/lens.h"
 #include "tracer/render.h"
@@ -36,6 +39,8 @@ class Eye {
   /// The picture at (x, y), in pixels: whole numbers are centres. `index` tells the samples of a
   /// pixel apart.
   [[nodiscard]] Pixel see(double x, double y, std::uint32_t index);
+  /// The same at pixels `left` to `left` + out.size() - 1 of a row, for index 0.
+  void see_row(int left, int y, std::span<Pixel> out);
 
   /// One random path from somewhere in the pixel, and through somewhere of the lens.
   [[nodiscard]] Pixel sample(int x, int y, std::uint32_t index);
@@ -53,6 +58,7 @@ class Eye {
   Pixel plain(double x, double y, std::uint32_t index);
   [[nodiscard]] Pixel through_lens(dvec2 at, dvec2 pixel, std::uint32_t index, int sample);
   [[nodiscard]] Pixel look_along(const CameraRay& ray, double x, double y, std::uint32_t index);
+  void start(const CameraRay& ray, Path& path);
   void find_around(const dvec3& p, Containment& inside);
 
   const Viewpoint* view_;
@@ -61,6 +67,7 @@ class Eye {
   PathTracer paths_;
   SobolSampler random_;
   functions::Workspace workspace_;
+  std::vector<Sample> samples_;  // that are taken together
 };
 
 }  // namespace durer::tracer

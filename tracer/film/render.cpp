@@ -66,8 +66,11 @@ class BlockRenderer {
       if (options_->aa_method == 2) return adaptive_.render(block, take, put);
       return antialias_.render(block, take, put);
     }
+    row_.resize(static_cast<std::size_t>(block.right - block.left));
     for (int y = block.top; y < block.bottom; ++y) {
-      for (int x = block.left; x < block.right; ++x) store(x, y, eye_.see(x, y, 0));
+      eye_.see_row(block.left, y, row_);
+      int x = block.left;
+      for (const Pixel& pixel : row_) store(x++, y, pixel);
     }
   }
 
@@ -85,6 +88,7 @@ class BlockRenderer {
   Eye eye_;
   Antialias antialias_;
   AdaptiveAntialias adaptive_;
+  std::vector<Pixel> row_;
 };
 
 std::vector<PretraceTile> tiles_of(const Block& part) {

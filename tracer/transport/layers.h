@@ -16,6 +16,13 @@ namespace durer::tracer {
   return e.x < epsilon && e.y < epsilon && e.z < epsilon;
 }
 
+/// Afterwards `seen` has the normal as patterns of the layer see it.
+inline Tracer::LayerLook Tracer::look_at(const View& view, const LayerProgram& layer,
+                                         SurfaceView& seen) const {
+  const dvec3 n = layer.normal == scene::none ? view.g : bend(view, layer, seen);
+  return {n, scene_->textures.pigments().at(layer.pigment, view.q, &seen)};
+}
+
 /// Calls `visit(layer, sum)` for each layer while those before it let more than `least` through;
 /// `sum` is what they have come to. The visitor may add to its colour, and returns what the layer
 /// reflects, by colour.
@@ -27,10 +34,11 @@ Tracer::LayerSum Tracer::walk_layers(const View& view, float least, const Visit&
   const std::uint32_t first = view.texture->first_layer;
   for (std::uint32_t i = first; i < view.texture->end_layer && sum.sigma > least; ++i) {
     const LayerProgram& program = textures.layer(i);
-    const dvec3 n = program.normal == scene::none ? view.g : bend(view, program, seen);
-    if (i == first) sum.top = n;
-    const Colour c = textures.pigments().at(program.pigment, view.q, &seen);
-    const LayerPoint layer{&textures.finish(program), opacity(c), n, c.rgb};
+    const LayerLook own = i - first < view.known.size() ? view.known[i - first]
+                                                        : look_at(view, program, seen);
+    const Colour& c = own.colour;
+    if (i == first) sum.top = own.n;
+    const LayerPoint layer{&textures.finish(program), opacity(c), own.n, c.rgb};
     const vec3 rho = visit(layer, sum);
     sum.through *= c.transmission();
     if (layer.finish->conserve_energy) sum.through *= glm::min(vec3(1.0F), 1.0F - rho);

@@ -12,7 +12,9 @@ Scratch::Scratch(const CompiledScene& scene)
     : geometry(scene.geometry.make_scratch()), lamps(scene.lights.size()) {
   reflections.reserve(64);
   for (const Geometry& g : scene.projectors) projectors.push_back(g.make_scratch());
+  found.resize(Tracer::most_together);
 }
+Scratch::~Scratch() = default;
 
 Tracer::Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha)
     : scene_(&scene),
@@ -22,6 +24,7 @@ Tracer::Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha)
       translucent_shadows_(scene.geometry.has_translucent_shadows()),
       air_(scene.quality.atmosphere && !scene.atmosphere.empty()),
       in_air_(air_ || !scene.media.empty()),
+      together_(!in_air_ && !scene.radiosity),
       quality_(scene.quality) {
   const scene::Settings& settings = scene.scene->settings;
   limits_.fill({std::clamp(settings.max_trace_level, 1, 256), settings.adc_bailout});
@@ -65,16 +68,9 @@ Radiance Tracer::follow(Path& path, bool straight) {
     if (!straight) ++path.level;
     Look seen = look(hit, path.ray.d);
     seen.view.gathering = path.bounce > 0;
-    if (seen.blend.count > 1) {
-      const Radiance r = blend(seen, hit, path);
+    if (is_mixed(seen)) {
+      const Radiance r = mixed(seen, hit, path);
       return {sum + through * r.colour, transmittance * r.transmittance};
-    }
-    if (seen.view.texture->patterned()) {
-      narrow(seen.view);
-      if (seen.view.texture->patterned()) {
-        const Radiance r = shown(seen.view, path);
-        return {sum + through * r.colour, transmittance * r.transmittance};
-      }
     }
     const Step step = surface(seen.view, path);
     sum += through * step.colour;
@@ -83,6 +79,16 @@ Radiance Tracer::follow(Path& path, bool straight) {
     through *= step.through;
     straight = step.straight;
   }
+}
+
+/// True if several textures show at the point; afterwards a single one is chosen.
+bool Tracer::is_mixed(Look& look) const {
+  if (look.blend.count > 1) return true;
+  if (look.view.texture->patterned()) narrow(look.view);
+  return look.view.texture->patterned();
+}
+Radiance Tracer::mixed(const Look& look, const Hit& hit, const Path& path) {
+  return look.blend.count > 1 ? blend(look, hit, path) : shown(look.view, path);
 }
 
 // Every texture is followed on its own, with its reflections and what lies behind (objects §4).

@@ -49,6 +49,13 @@ struct Radiance {
   float transmittance = 0;
 };
 
+/// A ray of the picture, and what it sees.
+struct Sample {
+  Path path;
+  std::uint32_t noise = 0;  // state of its random numbers
+  Radiance seen;
+};
+
 /// One reflection that waits until the layers of its surface are summed.
 struct Reflection {
   const Finish* finish = nullptr;
@@ -115,9 +122,14 @@ struct MediaSamples {
   std::vector<MediaStretch> stretches;
 };
 
+struct FoundSurface;
+
 /// What one thread may change. Buffers grow once; tracing allocates nothing after that.
 struct Scratch {
   explicit Scratch(const CompiledScene& scene);
+  ~Scratch();
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
 
   GeometryScratchPtr geometry;
   std::uint64_t rays = 0;
@@ -140,6 +152,7 @@ struct Scratch {
   int below = 0;  // how many looks below surfaces are going on
   FoundPhotons near_photons;             // around the point being lit
   FoundPhotons media_photons;            // likewise, in media
+  std::vector<FoundSurface> found;       // by rays that are followed side by side
 };
 
 /// Traces rays of one thread.
@@ -155,10 +168,21 @@ class Tracer {
   /// The same for a path that nobody needs any more.
   [[nodiscard]] Radiance trace(Path&& path) { return follow(path, false); }
 
+  /// The same for up to `most_together` rays of the picture, neighbours if possible, side by side.
+  /// Uses their paths up.
+  static constexpr std::size_t most_together = 16;
+  void trace(std::span<Sample> samples);
+
  private:
   friend class MediaIntegrator;
   friend class PathTracer;
   friend class PhotonTracer;
+  friend struct FoundSurface;
+  // What a layer looks like at a point, and its normal.
+  struct LayerLook {
+    dvec3 n{0.0};
+    Colour colour;
+  };
   // A surface that is being looked at.
   struct View {
     dvec3 p{0.0};
@@ -179,6 +203,7 @@ class Tracer {
     bool gathering = false;  // seen by a ray that gathers indirect light
     bool collects = true;    // shows photons
     double depth = 0;  // from the ray's origin
+    std::span<const LayerLook> known;  // the first layers, if they were looked up before
   };
   // What the layers of a surface send out, and let through.
   struct LayerSum {
@@ -231,16 +256,26 @@ class Tracer {
   };
 
   [[nodiscard]] Radiance follow(Path& path, bool straight);
+  [[nodiscard]] bool is_mixed(Look& look) const;
+  [[nodiscard]] Radiance mixed(const Look& look, const Hit& hit, const Path& path);
   [[nodiscard]] Radiance blend(const Look& look, const Hit& hit, const Path& path);
   [[nodiscard]] Look look(const Hit& hit, dvec3 d) const;
   [[nodiscard]] ProgramId texture_at(const Hit& hit, const SurfaceProgram& surface,
                                      bool from_inside, std::uint32_t& places) const;
   void dress(View& view, const Look& look, const Hit& hit, std::uint32_t texture) const;
   [[nodiscard]] Radiance shown(const View& view, const Path& path);
+  [[nodiscard]] Radiance lit_and_behind(const View& view, Path& path);
+  // together.cpp
+  [[nodiscard]] bool find(Sample& sample, FoundSurface& found);
+  void look_up(std::span<FoundSurface* const> found) const;
+  void look_up_layer(const LayerProgram& layer, std::size_t number,
+                     std::span<FoundSurface* const> found) const;
   void narrow(View& view) const;
   template <typename Visit>
   void for_parts(const View& view, Visit visit) const;
   [[nodiscard]] double choose(View& view, const TextureChoice& choice) const;
+  [[nodiscard]] LayerLook look_at(const View& view, const LayerProgram& layer,
+                                  SurfaceView& seen) const;
   [[nodiscard]] dvec3 bend(const View& view, const LayerProgram& layer, SurfaceView& seen) const;
   [[nodiscard]] Step surface(const View& view, Path& path);
   [[nodiscard]] Finish without_diffuse(const Finish& finish) const;
@@ -404,7 +439,18 @@ class Tracer {
   bool air_;     // there is fog or the like …
   bool in_air_;  // … or there are media …
   bool gathers_air_ = false;  // … and rays that gather indirect light see it
+  bool together_;             // rays may be followed side by side
   Quality quality_;
+};
+
+/// A surface that a ray met, until its turn to be lit comes.
+struct FoundSurface {
+  static constexpr std::uint32_t most_layers = 4;
+
+  Tracer::Look look;
+  std::array<Tracer::LayerLook, most_layers> layers;
+  vec3 through{1.0F};  // what the layers known so far let through
+  bool waits = false;
 };
 
 /// Snell's law for unit `d`, from either side of `normal`; false beyond the critical angle. `eta`: n
