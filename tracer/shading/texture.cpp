@@ -72,6 +72,8 @@ TextureProgram TextureStore::compile_layers(scene::TextureId id, const Transform
     program.opaque = program.opaque || pigments_.opaque(out.pigment);
   }
   program.end_layer = static_cast<std::uint32_t>(layers_.size());
+  program.plain = program.opaque && texture.layers.size() == 1 &&
+                  !finishes_[finish].reflects && finishes_[finish].translucency == vec3(0.0F);
   return program;
 }
 

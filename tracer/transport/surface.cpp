@@ -48,6 +48,11 @@ dvec3 mirror(dvec3 d, dvec3 n, dvec3 g) {
 }
 
 Tracer::Step Tracer::surface(const View& view, Path& path) {
+  if (is_plain(view)) {
+    Step step;
+    step.colour = plain_light(view, path.inside);
+    return step;
+  }
   const std::size_t first = scratch_->reflections.size();
   const LayerSum layers = sum_layers(view, path);
   Step step;

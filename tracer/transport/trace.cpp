@@ -25,6 +25,8 @@ Tracer::Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha)
       air_(scene.quality.atmosphere && !scene.atmosphere.empty()),
       in_air_(air_ || !scene.media.empty()),
       together_(!in_air_ && !scene.radiosity),
+      plain_(scene.quality.lights && !scene.radiosity && scene.scene->settings.adc_bailout >= 0),
+      opaque_shadows_(scene.quality.shadows && !translucent_shadows_ && !dims()),
       quality_(scene.quality) {
   const scene::Settings& settings = scene.scene->settings;
   limits_.fill({std::clamp(settings.max_trace_level, 1, 256), settings.adc_bailout});

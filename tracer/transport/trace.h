@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include <glm/geometric.hpp>
+
 #include "tracer/compiled_scene.h"
 #include "tracer/primitives/store.h"
 #include "tracer/transport/photons.h"
@@ -346,8 +348,22 @@ class Tracer {
   [[nodiscard]] vec3 illuminate(const View& view, const Path& path, const LayerPoint& layer,
                                 bool first_lit);
   void find_lamps(const View& view);
-  [[nodiscard]] static bool spreads(const Light& light, const View& view);
-  [[nodiscard]] static bool is_behind(const View& view, const LayerPoint& layer, const dvec3& l);
+  // Its whole area shines, not only its centre.
+  [[nodiscard]] static bool spreads(const Light& light, const View& view) {
+    return light.has_area && light.area.illumination && !view.gathering;
+  }
+  [[nodiscard]] static bool is_behind(const View& view, const LayerPoint& layer, const dvec3& l) {
+    return glm::dot(layer.n, l) < epsilon && !view.double_illuminate;
+  }
+  [[nodiscard]] inline vec3 light_from(const View& view, const Containment& inside,
+                                       const LayerPoint& layer, const Light& light,
+                                       LampAtPoint& lamp);
+  [[nodiscard]] inline vec3 opaque_shadow(const Incidence& in, const dvec3& p, double way);
+  // plain.cpp
+  [[nodiscard]] bool is_plain(const View& view) const {
+    return view.texture->plain && plain_ && !(view.collects && has_caustics());
+  }
+  [[nodiscard]] vec3 plain_light(const View& view, const Containment& inside);
   [[nodiscard]] vec3 shade_by_area(const View& view, const LayerPoint& layer, const Light& light,
                                    const LampAtPoint& lamp);
   // Light from one direction.
@@ -440,6 +456,8 @@ class Tracer {
   bool in_air_;  // … or there are media …
   bool gathers_air_ = false;  // … and rays that gather indirect light see it
   bool together_;             // rays may be followed side by side
+  bool plain_;           // plain textures may be lit the short way
+  bool opaque_shadows_;  // any caster of shadows stops all light
   Quality quality_;
 };
 
