@@ -39,23 +39,12 @@ inline vec3 Tracer::opaque_shadow(const Incidence& in, const dvec3& p, double wa
   return blocked ? vec3(0.0F) : in.colour;
 }
 
-/// Light of one lamp, whose shadow is looked for unless it is known.
-DURER_INLINE vec3 Tracer::light_from(const View& view, const Containment& inside,
-                                     const LayerPoint& layer, const Light& light,
-                                     LampAtPoint& lamp) {
-  const bool spread = spreads(light, view);
-  const bool hidden = is_behind(view, layer, lamp.in.l);
-  if (hidden && !spread && layer.finish->diffuse_back == 0) return vec3(0.0F);
-  if (!lamp.shadow_known) {
-    lamp.shadowed = opaque_shadows_ && light.plain
-                        ? opaque_shadow(lamp.in, view.p, lamp.in.distance)
-                        : shadowed(light, lamp.in, view.p, inside, {view.gathering, view.collects});
-    lamp.shadow_known = true;
-  }
-  if (dark(lamp.shadowed)) return vec3(0.0F);
-  return spread ? shade_by_area(view, layer, light, lamp)
-                : shade_from(view, layer, lamp.in.l, lamp.shadowed,
-                             {hidden, !light.shadowless, true});
+/// What arrives of a lamp's light at a point of a surface.
+DURER_INLINE vec3 Tracer::arriving(const View& view, const Containment& inside, const Light& light,
+                                   const Incidence& in) {
+  if (opaque_shadows_ && light.plain) return opaque_shadow(in, view.p, in.distance);
+  const Incidence kept = in;  // so that `in` itself may stay in registers
+  return shadowed(light, kept, view.p, inside, {view.gathering, view.collects});
 }
 
 }  // namespace durer::tracer

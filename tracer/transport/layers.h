@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <new>
 
+#include "functions/simd/inline.h"
 #include "tracer/transport/trace.h"
 
 namespace durer::tracer {
@@ -16,11 +18,15 @@ namespace durer::tracer {
   return e.x < epsilon && e.y < epsilon && e.z < epsilon;
 }
 
-/// Afterwards `seen` has the normal as patterns of the layer see it.
-inline Tracer::LayerLook Tracer::look_at(const View& view, const LayerProgram& layer,
-                                         SurfaceView& seen) const {
-  const dvec3 n = layer.normal == scene::none ? view.g : bend(view, layer, seen);
-  return {n, scene_->textures.pigments().at(layer.pigment, view.q, &seen)};
+/// Layer `number` of a texture, which may be kept in `n` and `colour`. Afterwards `seen` has the
+/// normal as patterns of the layer see it.
+DURER_INLINE Tracer::LayerLook Tracer::look_at(const View& view, std::uint32_t number,
+                                               SurfaceView& seen, dvec3& n, Colour& colour) const {
+  if (number < view.known.size()) return view.known[number];
+  const LayerProgram& layer = scene_->textures.layer(view.texture->first_layer + number);
+  n = layer.normal == scene::none ? view.g : bend(view, layer, seen);
+  ::new (&colour) Colour(scene_->textures.pigments().at(layer.pigment, view.q, &seen));
+  return {&n, &colour};
 }
 
 /// Calls `visit(layer, sum)` for each layer while those before it let more than `least` through;
@@ -34,11 +40,12 @@ Tracer::LayerSum Tracer::walk_layers(const View& view, float least, const Visit&
   const std::uint32_t first = view.texture->first_layer;
   for (std::uint32_t i = first; i < view.texture->end_layer && sum.sigma > least; ++i) {
     const LayerProgram& program = textures.layer(i);
-    const LayerLook own = i - first < view.known.size() ? view.known[i - first]
-                                                        : look_at(view, program, seen);
-    const Colour& c = own.colour;
-    if (i == first) sum.top = own.n;
-    const LayerPoint layer{&textures.finish(program), opacity(c), own.n, c.rgb};
+    dvec3 kept_n;
+    Colour kept;
+    const LayerLook own = look_at(view, i - first, seen, kept_n, kept);
+    const Colour& c = *own.colour;
+    if (i == first) sum.top = *own.n;
+    const LayerPoint layer{&textures.finish(program), opacity(c), *own.n, c.rgb};
     const vec3 rho = visit(layer, sum);
     sum.through *= c.transmission();
     if (layer.finish->conserve_energy) sum.through *= glm::min(vec3(1.0F), 1.0F - rho);

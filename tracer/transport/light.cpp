@@ -11,7 +11,19 @@ vec3 Tracer::illuminate(const View& view, const Path& path, const LayerPoint& la
   if (first_lit) find_lamps(view);
   vec3 sum(0.0F);
   for (const std::uint32_t i : scratch_->lit) {
-    sum += light_from(view, path.inside, layer, scene_->lights[i], scratch_->lamps[i]);
+    const Light& light = scene_->lights[i];
+    LampAtPoint& lamp = scratch_->lamps[i];
+    const bool spread = spreads(light, view);
+    const bool hidden = is_behind(view, layer, lamp.in.l);
+    if (hidden && !spread && layer.finish->diffuse_back == 0) continue;
+    if (!lamp.shadow_known) {
+      lamp.shadowed = arriving(view, path.inside, light, lamp.in);
+      lamp.shadow_known = true;
+    }
+    if (dark(lamp.shadowed)) continue;
+    sum += spread ? shade_by_area(view, layer, light, lamp)
+                  : shade_from(view, layer, lamp.in.l, lamp.shadowed,
+                               {hidden, !light.shadowless, true});
   }
   return sum;
 }

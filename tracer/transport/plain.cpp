@@ -6,31 +6,47 @@
 
 namespace durer::tracer {
 
-vec3 Tracer::plain_light(const View& view, const Containment& inside) {
+void Tracer::plain_light(const View& view, const Containment& inside, vec3& light) {
   const TextureStore& textures = scene_->textures;
-  const LayerProgram& program = textures.layer(view.texture->first_layer);
-  LayerPoint layer{&textures.finish(program), 1, view.g};
-  if (view.known.empty()) {
-    SurfaceView seen{view.p, view.d, view.g, view.uv};
-    const LayerLook own = look_at(view, program, seen);
-    layer.n = own.n;
-    layer.pigment = own.colour.rgb;
-  } else {
-    layer.n = view.known.front().n;
-    layer.pigment = view.known.front().colour.rgb;
-  }
-  vec3 light = layer.pigment * layer.finish->glow_pigment;
-  if (!layer.finish->lit) return light;
+  const Finish& finish = textures.finish(textures.layer(view.texture->first_layer));
+  SurfaceView seen{view.p, view.d, view.g, view.uv};
+  dvec3 n;
+  Colour colour;
+  const LayerLook own = look_at(view, 0, seen, n, colour);
+  const LayerPoint layer{&finish, 1, *own.n, own.colour->rgb};
   // Nobody else asks the lamps at this point: they are lit one by one, and forgotten.
   vec3 lit(0.0F);
-  for (const std::uint32_t i : scene_->geometry.lamp_sets()[view.lamps]) {
-    if (!scene_->reaches[i].contains(view.p)) continue;
-    const Light& lamp = scene_->lights[i];
-    LampAtPoint at_point{incidence(lamp, view.p)};
-    if (spreads(lamp, view)) at_point.in.colour = lamp.colour;
-    if (!dark(at_point.in.colour)) lit += light_from(view, inside, layer, lamp, at_point);
+  if (finish.lit) {
+    for (const std::uint32_t i : scene_->geometry.lamp_sets()[view.lamps]) {
+      if (!scene_->reaches[i].contains(view.p)) continue;
+      const Light& lamp = scene_->lights[i];
+      const Incidence in = incidence(lamp, view.p);
+      const bool spread = spreads(lamp, view);
+      if (dark(spread ? lamp.colour : in.colour)) continue;
+      const bool hidden = is_behind(view, layer, in.l);
+      if (hidden && !spread && finish.diffuse_back == 0) continue;
+      if (spread) {
+        lit += light_of_area(view, inside, layer, lamp, in);
+        continue;
+      }
+      const vec3 arrived = arriving(view, inside, lamp, in);
+      if (dark(arrived)) continue;
+      lit += shade_from(view, layer, in.l, arrived, {hidden, !lamp.shadowless, true});
+    }
   }
-  return light + lit;
+  const vec3 glow = layer.pigment * finish.glow_pigment;
+  light.x = glow.x + lit.x;
+  light.y = glow.y + lit.y;
+  light.z = glow.z + lit.z;
+}
+
+// A lamp whose whole area shines; its samples are weakened one by one.
+vec3 Tracer::light_of_area(const View& view, const Containment& inside, const LayerPoint& layer,
+                           const Light& light, const Incidence& centre) {
+  LampAtPoint lamp{centre};
+  lamp.in.colour = light.colour;
+  lamp.shadowed = arriving(view, inside, light, lamp.in);
+  return dark(lamp.shadowed) ? vec3(0.0F) : shade_by_area(view, layer, light, lamp);
 }
 
 }  // namespace durer::tracer

@@ -31,13 +31,20 @@ void Tracer::trace(std::span<Sample> samples) {
     const TextureProgram* texture = waiting[first]->look.view.texture;
     std::size_t end = first + 1;
     while (end < count && waiting[end]->look.view.texture == texture) ++end;
-    if (end - first > 1) look_up({&waiting[first], end - first});
+    if (end - first > 1) look_up({&waiting[first], end - first}, first);
     first = end;
   }
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!scratch_->found[i].waits) continue;
-    scratch_->noise = samples[i].noise;
-    samples[i].seen = lit_and_behind(scratch_->found[i].look.view, samples[i].path);
+    Sample& sample = samples[i];
+    const View& view = scratch_->found[i].look.view;
+    scratch_->noise = sample.noise;
+    if (is_plain(view)) {
+      plain_light(view, sample.path.inside, sample.seen.colour);
+      sample.seen.transmittance = 0;
+    } else {
+      sample.seen = lit_and_behind(view, sample.path);
+    }
   }
 }
 
@@ -65,8 +72,9 @@ bool Tracer::find(Sample& sample, FoundSurface& found) {
   return false;
 }
 
-/// The layers of a texture at several points, as far as they show.
-void Tracer::look_up(std::span<FoundSurface* const> found) const {
+/// The layers of a texture at several points, as far as they show. `place`: what is kept of them in
+/// Scratch::found_layers begins there.
+void Tracer::look_up(std::span<FoundSurface* const> found, std::size_t place) {
   const TextureProgram& texture = *found.front()->look.view.texture;
   if (texture.uses_uv || texture.asks_view) return;
   std::array<FoundSurface*, most_together> seen;
@@ -80,46 +88,47 @@ void Tracer::look_up(std::span<FoundSurface* const> found) const {
   const float least = limits_[0].adc;
   for (std::uint32_t i = 0; i < layers && count > 0; ++i) {
     const LayerProgram& layer = scene_->textures.layer(texture.first_layer + i);
-    look_up_layer(layer, i, {seen.data(), count});
+    dvec3* const normals = &scratch_->found_layers[i].normals[place];
+    Colour* const colours = &scratch_->found_layers[i].colours[place];
+    look_up_layer(layer, {seen.data(), count}, normals, colours);
     std::size_t left = 0;
     for (std::size_t k = 0; k < count; ++k) {
       FoundSurface& f = *seen[k];
-      f.look.view.known = {f.layers.data(), i + 1};
-      f.through *= f.layers[i].colour.transmission();
+      View& view = f.look.view;
+      f.layers[i] = {layer.normal == scene::none ? &view.g : &normals[k], &colours[k]};
+      view.known = {f.layers.data(), i + 1};
+      if (i + 1 == layers) continue;
+      f.through *= colours[k].transmission();
       if (std::min(1.0F, std::abs(grey(f.through))) > least) seen[left++] = &f;
     }
     count = left;
   }
 }
 
-void Tracer::look_up_layer(const LayerProgram& layer, std::size_t number,
-                           std::span<FoundSurface* const> found) const {
-  std::array<dvec3, most_together> points;
-  std::array<dvec3, most_together> normals;
-  std::array<Colour, most_together> colours;
+void Tracer::look_up_layer(const LayerProgram& layer, std::span<FoundSurface* const> found,
+                           dvec3* normals, Colour* colours) const {
+  std::array<dvec3, most_together> places;
   const std::size_t count = found.size();
-  const auto place = [&] {
-    for (std::size_t i = 0; i < count; ++i) points[i] = found[i]->look.view.q;
-    return std::span(points).first(count);
+  const auto points = [&] {
+    for (std::size_t i = 0; i < count; ++i) places[i] = found[i]->look.view.q;
+    return std::span(places).first(count);
   };
   const auto in_the_world = [](const FoundSurface* f) {
     return f->look.view.places == 0 && f->look.view.frame_count == 0;
   };
-  for (std::size_t i = 0; i < count; ++i) normals[i] = found[i]->look.view.g;
-  if (layer.normal != scene::none) {
-    if (std::all_of(found.begin(), found.end(), in_the_world)) {
-      scene_->textures.normals().at(layer.normal, place(), normals.data());
-      for (std::size_t i = 0; i < count; ++i) normals[i] = glm::normalize(normals[i]);
-    } else {
-      for (std::size_t i = 0; i < count; ++i) {
-        const View& view = found[i]->look.view;
-        SurfaceView seen{view.p, view.d, view.g, view.uv};
-        normals[i] = bend(view, layer, seen);
-      }
+  if (layer.normal == scene::none) {
+  } else if (std::all_of(found.begin(), found.end(), in_the_world)) {
+    for (std::size_t i = 0; i < count; ++i) normals[i] = found[i]->look.view.g;
+    scene_->textures.normals().at(layer.normal, points(), normals);
+    for (std::size_t i = 0; i < count; ++i) normals[i] = glm::normalize(normals[i]);
+  } else {
+    for (std::size_t i = 0; i < count; ++i) {
+      const View& view = found[i]->look.view;
+      SurfaceView seen{view.p, view.d, view.g, view.uv};
+      normals[i] = bend(view, layer, seen);
     }
   }
-  scene_->textures.pigments().at(layer.pigment, place(), colours.data());
-  for (std::size_t i = 0; i < count; ++i) found[i]->layers[number] = {normals[i], colours[i]};
+  scene_->textures.pigments().at(layer.pigment, points(), colours);
 }
 
 }  // namespace durer::tracer

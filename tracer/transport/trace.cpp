@@ -13,6 +13,7 @@ Scratch::Scratch(const CompiledScene& scene)
   reflections.reserve(64);
   for (const Geometry& g : scene.projectors) projectors.push_back(g.make_scratch());
   found.resize(Tracer::most_together);
+  found_layers.resize(FoundSurface::most_layers);
 }
 Scratch::~Scratch() = default;
 

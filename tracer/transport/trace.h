@@ -125,6 +125,7 @@ struct MediaSamples {
 };
 
 struct FoundSurface;
+struct FoundLayer;
 
 /// What one thread may change. Buffers grow once; tracing allocates nothing after that.
 struct Scratch {
@@ -155,6 +156,7 @@ struct Scratch {
   FoundPhotons near_photons;             // around the point being lit
   FoundPhotons media_photons;            // likewise, in media
   std::vector<FoundSurface> found;       // by rays that are followed side by side
+  std::vector<FoundLayer> found_layers;
 };
 
 /// Traces rays of one thread.
@@ -180,10 +182,10 @@ class Tracer {
   friend class PathTracer;
   friend class PhotonTracer;
   friend struct FoundSurface;
-  // What a layer looks like at a point, and its normal.
+  // A layer at a point: its normal, and what it looks like.
   struct LayerLook {
-    dvec3 n{0.0};
-    Colour colour;
+    const dvec3* n = nullptr;
+    const Colour* colour = nullptr;
   };
   // A surface that is being looked at.
   struct View {
@@ -269,15 +271,15 @@ class Tracer {
   [[nodiscard]] Radiance lit_and_behind(const View& view, Path& path);
   // together.cpp
   [[nodiscard]] bool find(Sample& sample, FoundSurface& found);
-  void look_up(std::span<FoundSurface* const> found) const;
-  void look_up_layer(const LayerProgram& layer, std::size_t number,
-                     std::span<FoundSurface* const> found) const;
+  void look_up(std::span<FoundSurface* const> found, std::size_t place);
+  void look_up_layer(const LayerProgram& layer, std::span<FoundSurface* const> found,
+                     dvec3* normals, Colour* colours) const;
   void narrow(View& view) const;
   template <typename Visit>
   void for_parts(const View& view, Visit visit) const;
   [[nodiscard]] double choose(View& view, const TextureChoice& choice) const;
-  [[nodiscard]] LayerLook look_at(const View& view, const LayerProgram& layer,
-                                  SurfaceView& seen) const;
+  [[nodiscard]] inline LayerLook look_at(const View& view, std::uint32_t number, SurfaceView& seen,
+                                  dvec3& n, Colour& colour) const;
   [[nodiscard]] dvec3 bend(const View& view, const LayerProgram& layer, SurfaceView& seen) const;
   [[nodiscard]] Step surface(const View& view, Path& path);
   [[nodiscard]] Finish without_diffuse(const Finish& finish) const;
@@ -355,15 +357,17 @@ class Tracer {
   [[nodiscard]] static bool is_behind(const View& view, const LayerPoint& layer, const dvec3& l) {
     return glm::dot(layer.n, l) < epsilon && !view.double_illuminate;
   }
-  [[nodiscard]] inline vec3 light_from(const View& view, const Containment& inside,
-                                       const LayerPoint& layer, const Light& light,
-                                       LampAtPoint& lamp);
+  [[nodiscard]] inline vec3 arriving(const View& view, const Containment& inside,
+                                     const Light& light, const Incidence& in);
   [[nodiscard]] inline vec3 opaque_shadow(const Incidence& in, const dvec3& p, double way);
   // plain.cpp
   [[nodiscard]] bool is_plain(const View& view) const {
     return view.texture->plain && plain_ && !(view.collects && has_caustics());
   }
-  [[nodiscard]] vec3 plain_light(const View& view, const Containment& inside);
+  void plain_light(const View& view, const Containment& inside, vec3& light);
+  [[nodiscard]] vec3 light_of_area(const View& view, const Containment& inside,
+                                   const LayerPoint& layer, const Light& light,
+                                   const Incidence& centre);
   [[nodiscard]] vec3 shade_by_area(const View& view, const LayerPoint& layer, const Light& light,
                                    const LampAtPoint& lamp);
   // Light from one direction.
@@ -466,9 +470,15 @@ struct FoundSurface {
   static constexpr std::uint32_t most_layers = 4;
 
   Tracer::Look look;
-  std::array<Tracer::LayerLook, most_layers> layers;
-  vec3 through{1.0F};  // what the layers known so far let through
+  std::array<Tracer::LayerLook, most_layers> layers;  // as far as `look.view.known` goes
+  vec3 through{1.0F};  // what they let through
   bool waits = false;
+};
+
+/// What layers of a texture look like at several points.
+struct FoundLayer {
+  std::array<dvec3, Tracer::most_together> normals;
+  std::array<Colour, Tracer::most_together> colours;
 };
 
 /// Snell's law for unit `d`, from either side of `normal`; false beyond the critical angle. `eta`: n
