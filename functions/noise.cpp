@@ -93,11 +93,6 @@ double cycloidal(double v) {
   constexpr double turn = 2 * std::numbers::pi;
   return v >= 0 ? std::sin(turn * fraction(v)) : -std::sin(turn * fraction(-v));
 }
-double triangle(double v) {
-  const double o = v >= 0 ? fraction(v) : v + 1 + floored(std::abs(v));
-  return o < 0.5 ? 2 * o : 2 * (1 - o);
-}
-
 std::vector<WaveSource> wave_sources(int count) {
   std::vector<WaveSource> sources;
   Lcg lcg{static_cast<std::uint32_t>(-560851967)};

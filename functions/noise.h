@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/dual.h"
+#include "base/floor.h"
 #include "base/interval.h"
 #include "base/trend.h"
 #include "base/vec.h"
@@ -82,7 +83,10 @@ void folded_vnoise(std::span<const dvec3> points, int count, std::span<dvec3> ou
 
 /// sin(2πv), and a triangle wave of period 1 in [0, 1] (textures §2.8).
 [[nodiscard]] double cycloidal(double v);
-[[nodiscard]] double triangle(double v);
+[[nodiscard]] inline double triangle(double v) {
+  const double o = v >= 0 ? v - floored(v) : v + 1 + floored(-v);
+  return o < 0.5 ? 2 * o : 2 * (1 - o);
+}
 
 /// One centre of ripples and waves, on the unit sphere, and its frequency (textures §2.9).
 struct WaveSource {

@@ -68,7 +68,10 @@ struct Incidence {
   Incidence in = direction_to(light, dvec3(0.0), p);
   if (in.l == dvec3(0.0)) return in;
   in.colour = light.colour;
-  if (light.weakened) in.colour *= static_cast<float>(attenuation(light, in, p));
+  if (light.weakened) {
+    const Incidence kept = in;  // `in` itself may stay in registers
+    in.colour *= static_cast<float>(attenuation(light, kept, p));
+  }
   return in;
 }
 

@@ -24,7 +24,8 @@ DURER_INLINE vec3 Tracer::shade_from(const View& view, const LayerPoint& layer, 
     sum = intensity * layer.pigment * light;
   }
   if (f.highlights && !view.gathering && !facing.backside && facing.highlights) {
-    sum += highlight(f, view.d, layer.n, l, layer.pigment) * light;
+    const dvec3 kept = l;  // `l` itself may stay in registers
+    sum += highlight(f, view.d, layer.n, kept, layer.pigment) * light;
   }
   if (f.irid > 0) sum *= iridescence(f, view.p, cosine, glm::dot(layer.n, view.d));
   return sum;
@@ -43,7 +44,7 @@ inline vec3 Tracer::opaque_shadow(const Incidence& in, const dvec3& p, double wa
 DURER_INLINE vec3 Tracer::arriving(const View& view, const Containment& inside, const Light& light,
                                    const Incidence& in) {
   if (opaque_shadows_ && light.plain) return opaque_shadow(in, view.p, in.distance);
-  const Incidence kept = in;  // so that `in` itself may stay in registers
+  const Incidence kept = in;
   return shadowed(light, kept, view.p, inside, {view.gathering, view.collects});
 }
 

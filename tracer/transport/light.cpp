@@ -31,7 +31,7 @@ vec3 Tracer::illuminate(const View& view, const Path& path, const LayerPoint& la
 // The lamps whose light gets to the point, as far as nothing is in its way.
 void Tracer::find_lamps(const View& view) {
   scratch_->lit.clear();
-  for (const std::uint32_t i : scene_->geometry.lamp_sets()[view.lamps]) {
+  for (const std::uint32_t i : lamp_sets_[view.lamps]) {
     if (!scene_->reaches[i].contains(view.p)) continue;
     const Light& light = scene_->lights[i];
     // Made in place: copying what was written just now in smaller pieces keeps a processor waiting.

@@ -9,15 +9,14 @@ namespace durer::tracer {
 void Tracer::plain_light(const View& view, const Containment& inside, vec3& light) {
   const TextureStore& textures = scene_->textures;
   const Finish& finish = textures.finish(textures.layer(view.texture->first_layer));
-  SurfaceView seen{view.p, view.d, view.g, view.uv};
   dvec3 n;
   Colour colour;
-  const LayerLook own = look_at(view, 0, seen, n, colour);
+  const LayerLook own = view.known.empty() ? look_alone(view, n, colour) : view.known.front();
   const LayerPoint layer{&finish, 1, *own.n, own.colour->rgb};
   // Nobody else asks the lamps at this point: they are lit one by one, and forgotten.
   vec3 lit(0.0F);
   if (finish.lit) {
-    for (const std::uint32_t i : scene_->geometry.lamp_sets()[view.lamps]) {
+    for (const std::uint32_t i : lamp_sets_[view.lamps]) {
       if (!scene_->reaches[i].contains(view.p)) continue;
       const Light& lamp = scene_->lights[i];
       const Incidence in = incidence(lamp, view.p);
@@ -38,6 +37,11 @@ void Tracer::plain_light(const View& view, const Containment& inside, vec3& ligh
   light.x = glow.x + lit.x;
   light.y = glow.y + lit.y;
   light.z = glow.z + lit.z;
+}
+
+Tracer::LayerLook Tracer::look_alone(const View& view, dvec3& n, Colour& colour) const {
+  SurfaceView seen{view.p, view.d, view.g, view.uv};
+  return look_at(view, 0, seen, n, colour);
 }
 
 // A lamp whose whole area shines; its samples are weakened one by one.

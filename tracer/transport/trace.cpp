@@ -20,6 +20,8 @@ Scratch::~Scratch() = default;
 Tracer::Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha)
     : scene_(&scene),
       scratch_(&scratch),
+      leaves_(scene.geometry.leaves()),
+      lamp_sets_(scene.geometry.lamp_sets()),
       alpha_(alpha),
       legacy_opacity_(scene.scene->settings.effective_version < 370),
       translucent_shadows_(scene.geometry.has_translucent_shadows()),
@@ -110,7 +112,7 @@ Radiance Tracer::blend(const Look& look, const Hit& hit, const Path& path) {
 }
 
 Tracer::Look Tracer::look(const Hit& hit, dvec3 d) const {
-  const Leaf& leaf = scene_->geometry.leaves()[hit.leaf];
+  const Leaf& leaf = leaves_[hit.leaf];
   const SurfaceProgram& s = scene_->surfaces[leaf.surface];
   const bool from_inside = glm::dot(hit.n, d) > 0;
   Look found;

@@ -364,6 +364,7 @@ class Tracer {
   [[nodiscard]] bool is_plain(const View& view) const {
     return view.texture->plain && plain_ && !(view.collects && has_caustics());
   }
+  [[nodiscard]] LayerLook look_alone(const View& view, dvec3& n, Colour& colour) const;
   void plain_light(const View& view, const Containment& inside, vec3& light);
   [[nodiscard]] vec3 light_of_area(const View& view, const Containment& inside,
                                    const LayerPoint& layer, const Light& light,
@@ -452,6 +453,8 @@ class Tracer {
 
   const CompiledScene* scene_;
   Scratch* scratch_;
+  std::span<const Leaf> leaves_;                            // of the geometry
+  std::span<const std::vector<std::uint32_t>> lamp_sets_;
   std::array<Limits, IrradianceCache::max_depth + 1> limits_;  // by bounce
   bool alpha_;
   bool legacy_opacity_;
