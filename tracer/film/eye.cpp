@@ -62,24 +62,25 @@ Pixel Eye::see(double x, double y, std::uint32_t index) {
       [&](int n) { return through_lens(view_->lens.moved(x, y, n), {x, y}, index, n); });
 }
 
-void Eye::see_row(int left, int y, std::span<Pixel> out) {
-  if (view_->lens.blurs() || view_->turns != 1) {
-    for (Pixel& pixel : out) pixel = see(left++, y, 0);
+void Eye::see(std::span<const Spot> spots, Pixel* out) {
+  if (view_->lens.blurs() || view_->turns != 1 || view_->scene->quality.path) {
+    for (const Spot& spot : spots) *out++ = see(spot.x, spot.y, spot.index);
     return;
   }
   samples_.resize(Tracer::most_together);
   std::array<Pixel*, Tracer::most_together> pixels;
-  for (std::size_t done = 0; done < out.size(); done += Tracer::most_together) {
+  while (!spots.empty()) {
     std::size_t count = 0;
-    for (Pixel& pixel : out.subspan(done, std::min(out.size() - done, Tracer::most_together))) {
-      const int x = left++;
+    const auto some = spots.first(std::min(spots.size(), Tracer::most_together));
+    for (const Spot& spot : some) {
+      Pixel& pixel = *out++;
       CameraRay ray;
-      if (!camera_ray(x, y, 0, ray)) {
+      if (!camera_ray(spot.x, spot.y, 0, ray)) {
         pixel = nothing;
         continue;
       }
       Sample& sample = samples_[count];
-      sample.noise = seed(x, y, 0);
+      sample.noise = seed(spot.x, spot.y, spot.index);
       start(ray, *::new (&sample.path) Path);  // made in place
       pixels[count++] = &pixel;
     }
@@ -87,6 +88,7 @@ void Eye::see_row(int left, int y, std::span<Pixel> out) {
     for (std::size_t i = 0; i < count; ++i) {
       *pixels[i] = Pixel(samples_[i].seen.colour, samples_[i].seen.transmittance);
     }
+    spots = spots.subspan(some.size());
   }
 }
 

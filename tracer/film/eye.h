@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tracer/cameras/camera.h"
+#include "tracer/film/antialias.h"
 #include "tracer/film/lens.h"
 #include "tracer/render.h"
 #include "tracer/shading/normal.h"
@@ -39,8 +40,8 @@ class Eye {
   /// The picture at (x, y), in pixels: whole numbers are centres. `index` tells the samples of a
   /// pixel apart.
   [[nodiscard]] Pixel see(double x, double y, std::uint32_t index);
-  /// The same at pixels `left` to `left` + out.size() - 1 of a row, for index 0.
-  void see_row(int left, int y, std::span<Pixel> out);
+  /// The same at several spots, which is faster where these are neighbours.
+  void see(std::span<const Spot> spots, Pixel* out);
 
   /// One random path from somewhere in the pixel, and through somewhere of the lens.
   [[nodiscard]] Pixel sample(int x, int y, std::uint32_t index);
