@@ -40,8 +40,13 @@ class Coder {
   [[nodiscard]] int sample_bits() const { return depth_.sample_bits; }
   /// The codes of row `y`, of width times channels numbers.
   void row(int y, std::span<std::uint16_t> out);
+  /// The same where samples have 8 bits.
+  void row(int y, std::span<std::uint8_t> out);
 
  private:
+  template <typename Code>
+  void any_row(int y, Code* next);
+
   const Image* image_;
   Encoding encoding_;
   Depth depth_;

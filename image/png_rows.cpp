@@ -6,7 +6,9 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <cstdlib>
+
+#include "image/png_filters.h"
+#include "image/run_deflate.h"
 
 namespace durer::image {
 namespace {
@@ -17,36 +19,13 @@ constexpr std::size_t reach = 1 << 15;         // how far back zlib can look
 constexpr int careful = 6;                     // zlib's levels
 constexpr int quick = 4;
 
-/// What the neighbours say that a byte is: the nearest of left, above and upper left (PNG §9.4).
-unsigned char paeth(int left, int above, int corner) {
-  const int to_left = std::abs(above - corner);
-  const int to_above = std::abs(left - corner);
-  const int to_corner = std::abs(left + above - 2 * corner);
-  // Selections rather than returns: these the compiler can do for many bytes at once.
-  const int upper = to_above <= to_corner ? above : corner;
-  const bool take_left = (to_left <= to_above) & (to_left <= to_corner);
-  return static_cast<unsigned char>(take_left ? left : upper);
-}
-
-/// One filter over a row; the sum of the differences' sizes, for the smallest compress best.
-template <typename Predict>
-std::size_t differences(std::span<unsigned char> out, Predict predict) {
-  unsigned sum = 0;
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    const auto d = static_cast<unsigned char>(predict(i));
-    out[i] = d;
-    sum += d < 128 ? d : 256U - d;
-  }
-  return sum;
-}
-
 /// A zlib stream without header and checksum.
 class Deflate {
  public:
-  Deflate(int level, int strategy) {
+  explicit Deflate(int level) {
     constexpr int raw = -15;  // of the largest window
     constexpr int memory = 8;
-    fine_ = deflateInit2(&stream_, level, Z_DEFLATED, raw, memory, strategy) == Z_OK;
+    fine_ = deflateInit2(&stream_, level, Z_DEFLATED, raw, memory, Z_FILTERED) == Z_OK;
   }
   ~Deflate() { deflateEnd(&stream_); }
   Deflate(const Deflate&) = delete;
@@ -78,17 +57,14 @@ class Deflate {
   bool fine_ = false;
 };
 
-std::size_t size_of(std::span<const unsigned char> part, int level, int strategy) {
-  std::vector<unsigned char> out;
-  Deflate(level, strategy).run(part, true, out);
-  return out.size();
-}
-
 /// True if searching for repetitions would make it smaller by a tenth.
 bool repetitive(std::span<const unsigned char> part) {
   const std::size_t size = std::min(part.size(), sample_size);
   part = part.subspan((part.size() - size) / 2, size);
-  return size_of(part, quick, Z_FILTERED) * 10 < size_of(part, quick, Z_RLE) * 9;
+  std::vector<unsigned char> searched, runs;
+  Deflate(quick).run(part, true, searched);
+  deflate_runs(part, true, runs);
+  return searched.size() * 10 < runs.size() * 9;
 }
 
 std::uint32_t checksum_of(std::span<const unsigned char> part) {
@@ -97,60 +73,36 @@ std::uint32_t checksum_of(std::span<const unsigned char> part) {
 
 }  // namespace
 
-PngRows::PngRows(std::size_t row_bytes, std::size_t pixel_bytes, int level)
+PngRows::PngRows(std::size_t row_bytes, std::size_t pixel_bytes, std::size_t count, int level)
     : row_bytes_(row_bytes),
       pixel_bytes_(pixel_bytes),
+      count_(count),
       level_(level),
-      rows_(row_bytes + pixel_bytes) {}
-
-void PngRows::add(std::span<const unsigned char> row) {
-  rows_.insert(rows_.end(), pixel_bytes_, 0);
-  rows_.insert(rows_.end(), row.begin(), row.end());
-  ++count_;
-}
-
-/// Row `y`, the first being 1; 0 is the one of zeros.
-const unsigned char* PngRows::row(std::size_t y) const {
-  return rows_.data() + y * (row_bytes_ + pixel_bytes_) + pixel_bytes_;
-}
+      rows_((row_bytes + pixel_bytes) * (count + 1)) {}
 
 void PngRows::filter(Stretch& stretch) const {
-  std::array<std::vector<unsigned char>, 5> filtered;  // the row, by each filter
-  for (std::size_t i = 0; i < filtered.size(); ++i) {
-    filtered[i].resize(row_bytes_ + 1);
-    filtered[i][0] = static_cast<unsigned char>(i);
-  }
-  const auto out = [&](std::size_t i) { return std::span(filtered[i]).subspan(1); };
+  PngFilters filters(row_bytes_);
   stretch.filtered.reserve((stretch.end_row - stretch.first_row) * (row_bytes_ + 1));
   for (std::size_t y = stretch.first_row; y < stretch.end_row; ++y) {
-    const unsigned char* const here = row(y + 1);
-    const unsigned char* const left = here - pixel_bytes_;
-    const unsigned char* const above = row(y);
-    const unsigned char* const corner = above - pixel_bytes_;
-    const std::array<std::size_t, 5> sums{
-        differences(out(0), [=](std::size_t i) { return here[i]; }),
-        differences(out(1), [=](std::size_t i) { return here[i] - left[i]; }),
-        differences(out(2), [=](std::size_t i) { return here[i] - above[i]; }),
-        differences(out(3), [=](std::size_t i) { return here[i] - (left[i] + above[i]) / 2; }),
-        differences(out(4),
-                    [=](std::size_t i) { return here[i] - paeth(left[i], above[i], corner[i]); }),
-    };
-    const auto best = std::min_element(sums.begin(), sums.end()) - sums.begin();
-    const auto& chosen = filtered[static_cast<std::size_t>(best)];
-    stretch.filtered.insert(stretch.filtered.end(), chosen.begin(), chosen.end());
+    const unsigned char* const above = rows_.data() + begin_of(y);
+    const unsigned char* const here = rows_.data() + begin_of(y + 1);
+    filters.append({here, above, row_bytes_, pixel_bytes_}, stretch.filtered);
   }
 }
 
 void PngRows::compress(const Stretch* before, Stretch& stretch, bool last) const {
   const std::span<const unsigned char> part = stretch.filtered;
-  const int strategy = level_ >= 0 || repetitive(part) ? Z_FILTERED : Z_RLE;
-  Deflate deflate(level_ < 0 ? careful : level_, strategy);
-  if (before != nullptr && strategy == Z_FILTERED) {
+  stretch.checksum = checksum_of(part);
+  if (level_ < 0 && !repetitive(part)) {
+    deflate_runs(part, last, stretch.compressed);
+    return;
+  }
+  Deflate deflate(level_ < 0 ? careful : level_);
+  if (before != nullptr) {
     const std::span<const unsigned char> past = before->filtered;
     deflate.know(past.last(std::min(past.size(), reach)));
   }
   deflate.run(part, last, stretch.compressed);
-  stretch.checksum = checksum_of(part);
   stretch.fine = deflate.fine();
 }
 

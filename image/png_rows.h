@@ -18,13 +18,15 @@ namespace durer::image {
 /// threads.
 class PngRows {
  public:
-  /// `row_bytes`: of each row. `pixel_bytes`: distance to the same sample of the next pixel.
-  /// `level`: 0…9 as zlib has it, or -1 for what suits the rows.
-  PngRows(std::size_t row_bytes, std::size_t pixel_bytes, int level);
+  /// `row_bytes`: of each of `count` rows. `pixel_bytes`: distance to the same sample of the next
+  /// pixel. `level`: 0…9 as zlib has it, or -1 for what suits the rows.
+  PngRows(std::size_t row_bytes, std::size_t pixel_bytes, std::size_t count, int level);
 
-  /// The next row, of `row_bytes`.
-  void add(std::span<const unsigned char> row);
-  /// The whole stream, after the last row; empty if memory ran out. `threads` work on it; 0:
+  /// Where row `y` goes.
+  [[nodiscard]] std::span<unsigned char> row(std::size_t y) {
+    return {rows_.data() + begin_of(y + 1), row_bytes_};
+  }
+  /// The whole stream, after all rows are there; empty if memory ran out. `threads` work on it; 0:
   /// one per processor.
   [[nodiscard]] std::vector<unsigned char> finish(int threads);
 
@@ -36,14 +38,17 @@ class PngRows {
     std::uint32_t checksum;
     bool fine;
   };
-  [[nodiscard]] const unsigned char* row(std::size_t y) const;
+  /// Of row `y`, the first being 1; 0 is the one of zeros.
+  [[nodiscard]] std::size_t begin_of(std::size_t y) const {
+    return y * (row_bytes_ + pixel_bytes_) + pixel_bytes_;
+  }
   void filter(Stretch& stretch) const;
   void compress(const Stretch* before, Stretch& stretch, bool last) const;
 
   std::size_t row_bytes_;
   std::size_t pixel_bytes_;
+  std::size_t count_;
   int level_;
-  std::size_t count_ = 0;
   // A row of zeros, then the rows; `pixel_bytes` zeros before each stand for what lies left of it.
   std::vector<unsigned char> rows_;
 };

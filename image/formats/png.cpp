@@ -44,20 +44,19 @@ void write_header(png_structp png, png_infop info, const Image& image, const Cod
 std::vector<unsigned char> compressed(const Image& image, const Encoding& encoding, Coder& coder) {
   const std::size_t samples = static_cast<std::size_t>(image.width) * coder.channels();
   const std::size_t width = coder.sample_bits() / 8U;
-  PngRows rows(samples * width, coder.channels() * width, encoding.compression);
+  PngRows rows(samples * width, coder.channels() * width, image.height, encoding.compression);
   std::vector<std::uint16_t> codes(samples);
-  std::vector<unsigned char> bytes(samples * width);
   for (int y = 0; y < image.height; ++y) {
-    coder.row(y, codes);
+    const std::span<unsigned char> bytes = rows.row(y);
     if (width == 1) {
-      std::copy(codes.begin(), codes.end(), bytes.begin());
-    } else {  // the high byte comes first
-      for (std::size_t i = 0; i < samples; ++i) {
-        bytes[2 * i] = static_cast<unsigned char>(codes[i] >> 8);
-        bytes[2 * i + 1] = static_cast<unsigned char>(codes[i] & 0xFF);
-      }
+      coder.row(y, bytes);
+      continue;
     }
-    rows.add(bytes);
+    coder.row(y, codes);
+    for (std::size_t i = 0; i < samples; ++i) {  // the high byte comes first
+      bytes[2 * i] = static_cast<unsigned char>(codes[i] >> 8);
+      bytes[2 * i + 1] = static_cast<unsigned char>(codes[i] & 0xFF);
+    }
   }
   return rows.finish(encoding.threads);
 }
@@ -87,6 +86,8 @@ Encoded encode(const Image& image, const Encoding& encoding) {
   if (stream.empty()) return {.bytes = {}, .error = std::move(message)};
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, keep_message, nullptr);
   png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+  constexpr std::size_t around = 1 << 12;  // bytes of chunks, about
+  file.bytes.reserve(stream.size() + around);
   if (info != nullptr) png_set_write_fn(png, &file.bytes, append, nullptr);
   const bool whole = info != nullptr && run(png, info, image, coder, encoding, stream);
   png_destroy_write_struct(&png, &info);
