@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "image/png_filters.h"
+#include "image/repetition.h"
 #include "image/run_deflate.h"
 
 namespace durer::image {
@@ -62,8 +63,9 @@ bool repetitive(std::span<const unsigned char> part) {
   const std::size_t size = std::min(part.size(), sample_size);
   part = part.subspan((part.size() - size) / 2, size);
   std::vector<unsigned char> searched, runs;
-  Deflate(quick).run(part, true, searched);
   deflate_runs(part, true, runs);
+  if (repeated_bytes(part, runs.size()) * 12 < static_cast<double>(runs.size())) return false;
+  Deflate(quick).run(part, true, searched);
   return searched.size() * 10 < runs.size() * 9;
 }
 

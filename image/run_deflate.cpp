@@ -4,8 +4,8 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <cstring>
 
+#include "image/bytes.h"
 #include "image/prefix_code.h"
 
 namespace durer::image {
@@ -16,12 +16,6 @@ constexpr std::size_t shortest_run = 5;  // shorter ones cost more bits than the
 constexpr std::size_t longest_run = 258;
 constexpr std::size_t end_of_block = 256;
 constexpr std::size_t symbols = 286;  // bytes, the end, lengths of runs
-
-std::uint64_t load64(const unsigned char* p) {
-  std::uint64_t v;
-  std::memcpy(&v, p, sizeof v);
-  return std::endian::native == std::endian::little ? v : __builtin_bswap64(v);
-}
 
 /// Some bytes as they are, then one that is repeated; `run` 0: none is.
 struct Piece {
@@ -176,9 +170,7 @@ class BitWriter {
     fill_ += count;
   }
   void flush() {
-    const std::uint64_t bytes =
-        std::endian::native == std::endian::little ? waiting_ : __builtin_bswap64(waiting_);
-    std::memcpy(out_, &bytes, sizeof bytes);
+    store64(out_, waiting_);
     out_ += fill_ / 8;
     waiting_ >>= fill_ & ~7U;
     fill_ &= 7;

@@ -2,6 +2,7 @@
 
 #include "image/png_filters.h"
 #include "image/prefix_code.h"
+#include "image/repetition.h"
 #include "image/run_deflate.h"
 #include "tests/support/catch.h"
 
@@ -96,6 +97,16 @@ TEST_CASE("deflate: no code is longer than allowed, and every code is taken", "[
     if (lengths[i] > 0) taken += 1U << (most - lengths[i]);
   }
   CHECK(taken == 1U << most);
+}
+
+TEST_CASE("deflate: repetitions are seen where there are some, and runs are none", "[image][deflate]") {
+  const Bytes grain = noise(16384, 256, 1);
+  CHECK(repeated_bytes(grain, 15000) < 100);
+  CHECK(repeated_bytes(noise(16384, 256, 2000), 200) < 20);
+  Bytes twice(grain.begin(), grain.begin() + 8192);
+  twice.insert(twice.end(), grain.begin(), grain.begin() + 8192);
+  CHECK(repeated_bytes(twice, 15000) > 5000);
+  CHECK(repeated_bytes({}, 0) == 0);
 }
 
 TEST_CASE("filters: a row comes back", "[image][deflate]") {
