@@ -119,7 +119,8 @@ GeometryScratchPtr Geometry::make_scratch() const {
 
 bool Geometry::closest(const Ray& ray, double t_from, double t_to, RayKind kind, Hit& hit,
                        GeometryScratch& scratch) const {
-  RayQuery query{copied(ray), t_from, t_to, mask_of(kind), {}, &state_->parts, &scratch.sweep, false, {}};
+  const Ray own = copied(ray);
+  RayQuery query{own, t_from, t_to, &state_->parts, &scratch.sweep, {}, {}, mask_of(kind), false};
   state_->world().accel->closest(query);
   const Found& found = query.found;
   if (found.store == nullptr) return false;
@@ -156,7 +157,8 @@ TextureBlend Geometry::cutaway_textures(const Hit& hit, bool from_inside) const 
 bool Geometry::occluded(const Ray& ray, double t_from, double t_to,
                         GeometryScratch& scratch) const {
   const double after = t_from * (1 + std::numeric_limits<double>::epsilon());
-  RayQuery query{copied(ray), after, t_to, blocks_light, {}, &state_->parts, &scratch.sweep, true, {}};
+  const Ray own = copied(ray);
+  RayQuery query{own, after, t_to, &state_->parts, &scratch.sweep, {}, {}, blocks_light, true};
   return state_->world().accel->any(query);
 }
 
@@ -187,7 +189,7 @@ Geometry::Way Geometry::way_between(std::span<Caster> among, const Ray& ray, dou
     near[count++] = &c;
   }
   const double after = t_from * (1 + std::numeric_limits<double>::epsilon());
-  RayQuery query{ray, after, t_to, blocks_light, {}, &state_->parts, &scratch.sweep, true, {}};
+  RayQuery query{ray, after, t_to, &state_->parts, &scratch.sweep, {}, {}, blocks_light, true};
   for (std::size_t i = 0; i < count; ++i) {
     near[i]->targets->nearest(*near[i]->targets, near[i]->index, query);
     if (query.found.store != nullptr) return Way::blocked;
@@ -198,7 +200,8 @@ Geometry::Way Geometry::way_between(std::span<Caster> among, const Ray& ray, dou
 bool Geometry::occluded_by(std::span<Caster> among, const Ray& ray, double t_from, double t_to,
                            GeometryScratch& scratch) const {
   const double after = t_from * (1 + std::numeric_limits<double>::epsilon());
-  RayQuery query{copied(ray), after, t_to, blocks_light, {}, &state_->parts, &scratch.sweep, true, {}};
+  const Ray own = copied(ray);
+  RayQuery query{own, after, t_to, &state_->parts, &scratch.sweep, {}, {}, blocks_light, true};
   const dvec3 inverse = 1.0 / ray.d;
   for (Caster& c : among) {
     double enter = after;
