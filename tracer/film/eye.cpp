@@ -1,7 +1,6 @@
 #include "tracer/film/eye.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -66,10 +65,11 @@ void Eye::begin(const IrradianceCache* cache, std::uint32_t seed) {
   scratch_.radiosity.begin(cache, true, seed, static_cast<std::uint32_t>(r->directions.size()));
 }
 
-// What nearly every sample goes through: as one function, for each took as long as what it does.
-[[gnu::flatten]] Pixel Eye::see_directly(double x, double y, std::uint32_t index) {
+// What nearly every sample goes through.
+Pixel Eye::see_directly(double x, double y, std::uint32_t index) {
   CameraRay ray;
-  return camera_ray(x, y, 0, ray) ? look_along(ray, x, y, index) : nothing;
+  if (!camera_ray(x, y, 0, ray)) return nothing;
+  return look_along(ray, x, y, index);
 }
 
 Pixel Eye::see_all(double x, double y, std::uint32_t index) {
@@ -142,8 +142,10 @@ Pixel Eye::look_along(const CameraRay& ray, double x, double y, std::uint32_t in
 
 /// Parallel rays follow each other, and a root and a division are what their pixels wait for.
 dvec3 Eye::unit(const dvec3& d) {
-  const auto bits = [](const dvec3& v) { return std::bit_cast<std::array<std::uint64_t, 3>>(v); };
-  if (bits(d) != bits(last_d_)) {
+  const auto differ = [](double a, double b) {  // also 0 and -0
+    return std::bit_cast<std::uint64_t>(a) ^ std::bit_cast<std::uint64_t>(b);
+  };
+  if ((differ(d.x, last_d_.x) | differ(d.y, last_d_.y) | differ(d.z, last_d_.z)) != 0) {
     last_d_ = d;
     last_unit_ = glm::normalize(d);
   }
