@@ -59,7 +59,7 @@ PngFilters::PngFilters(std::size_t row_bytes) {
   }
 }
 
-void PngFilters::append(const FilterRows& rows, std::vector<unsigned char>& out) {
+void PngFilters::apply(const FilterRows& rows, unsigned char* out) {
   const unsigned char* const left = rows.here - rows.pixel_bytes;
   const unsigned char* const above = rows.above;
   const unsigned char* const corner = above - rows.pixel_bytes;
@@ -75,8 +75,7 @@ void PngFilters::append(const FilterRows& rows, std::vector<unsigned char>& out)
     const std::uint32_t size = total_size(filtered_[i], centre_);
     if (size < least) best = i, least = size;
   }
-  const auto& chosen = filtered_[best];
-  out.insert(out.end(), chosen.begin(), chosen.end());
+  std::copy(filtered_[best].begin(), filtered_[best].end(), out);
 }
 
 }  // namespace durer::image

@@ -20,9 +20,9 @@ class PngFilters {
  public:
   explicit PngFilters(std::size_t row_bytes);
 
-  /// Appends the number of the filter whose differences are the smallest, for these compress best,
-  /// and the differences.
-  void append(const FilterRows& rows, std::vector<unsigned char>& out);
+  /// Writes the number of the filter whose differences are the smallest, for these compress best,
+  /// and the differences: a byte more than the row has.
+  void apply(const FilterRows& rows, unsigned char* out);
 
  private:
   static constexpr std::size_t count = 5;

@@ -80,29 +80,33 @@ PngRows::PngRows(std::size_t row_bytes, std::size_t pixel_bytes, std::size_t cou
       pixel_bytes_(pixel_bytes),
       count_(count),
       level_(level),
-      rows_((row_bytes + pixel_bytes) * (count + 1)) {}
+      rows_((row_bytes + pixel_bytes) * (count + 1)),
+      filtered_((row_bytes + 1) * count) {}
 
-void PngRows::filter(Stretch& stretch) const {
+void PngRows::filter(const Stretch& stretch) {
   PngFilters filters(row_bytes_);
-  stretch.filtered.reserve((stretch.end_row - stretch.first_row) * (row_bytes_ + 1));
   for (std::size_t y = stretch.first_row; y < stretch.end_row; ++y) {
     const unsigned char* const above = rows_.data() + begin_of(y);
     const unsigned char* const here = rows_.data() + begin_of(y + 1);
-    filters.append({here, above, row_bytes_, pixel_bytes_}, stretch.filtered);
+    filters.apply({here, above, row_bytes_, pixel_bytes_}, &filtered_[y * (row_bytes_ + 1)]);
   }
 }
 
-void PngRows::compress(const Stretch* before, Stretch& stretch, bool last) const {
-  const std::span<const unsigned char> part = stretch.filtered;
+void PngRows::compress(Stretch& stretch) const {
+  const std::span all(filtered_.data(), filtered_.size());
+  const std::size_t begin = stretch.first_row * (row_bytes_ + 1);
+  const std::size_t end = stretch.end_row * (row_bytes_ + 1);
+  const bool last = end == all.size();
+  const auto part = all.subspan(begin, end - begin);
   stretch.checksum = checksum_of(part);
   if (level_ < 0 && !repetitive(part)) {
     deflate_runs(part, last, stretch.compressed);
     return;
   }
   Deflate deflate(level_ < 0 ? careful : level_);
-  if (before != nullptr) {
-    const std::span<const unsigned char> past = before->filtered;
-    deflate.know(past.last(std::min(past.size(), reach)));
+  if (begin > 0) {
+    const std::size_t known = std::min(begin, reach);
+    deflate.know(all.subspan(begin - known, known));
   }
   deflate.run(part, last, stretch.compressed);
   stretch.fine = deflate.fine();
@@ -112,7 +116,7 @@ std::vector<unsigned char> PngRows::finish(int threads) {
   const std::size_t rows_each = std::max<std::size_t>(1, stretch_size / (row_bytes_ + 1));
   std::vector<Stretch> stretches;
   for (std::size_t y = 0; y < count_; y += rows_each) {
-    stretches.push_back({y, std::min(y + rows_each, count_), {}, {}, 0, true});
+    stretches.push_back({y, std::min(y + rows_each, count_), {}, 0, true});
   }
   if (threads <= 0) threads = tbb::this_task_arena::max_concurrency();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
@@ -122,16 +126,19 @@ std::vector<unsigned char> PngRows::finish(int threads) {
     // Two rounds, because a stretch looks back into the filtered rows before it.
     tbb::parallel_for(std::size_t{0}, stretches.size(),
                       [&](std::size_t i) { filter(stretches[i]); });
-    tbb::parallel_for(std::size_t{0}, stretches.size(), [&](std::size_t i) {
-      compress(i > 0 ? &stretches[i - 1] : nullptr, stretches[i], i + 1 == stretches.size());
-    });
+    tbb::parallel_for(std::size_t{0}, stretches.size(),
+                      [&](std::size_t i) { compress(stretches[i]); });
   });
   std::vector<unsigned char> out{0x78, 0x9C};  // zlib, a window of 32 KiB (RFC 1950 §2.2)
+  std::size_t size = out.size() + 4;
+  for (const Stretch& s : stretches) size += s.compressed.size();
+  out.reserve(size);
   uLong checksum = adler32(0, nullptr, 0);
   for (const Stretch& s : stretches) {
     if (!s.fine) return {};
     out.insert(out.end(), s.compressed.begin(), s.compressed.end());
-    checksum = adler32_combine(checksum, s.checksum, static_cast<z_off_t>(s.filtered.size()));
+    const std::size_t bytes = (s.end_row - s.first_row) * (row_bytes_ + 1);
+    checksum = adler32_combine(checksum, s.checksum, static_cast<z_off_t>(bytes));
   }
   for (int shift = 24; shift >= 0; shift -= 8) {
     out.push_back(static_cast<unsigned char>(checksum >> shift & 0xFF));

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "base/large_array.h"
+
 namespace durer::image {
 
 /// Filters each row as suits it, then compresses it. Rendered surfaces are grainy: once filtered,
@@ -33,7 +35,6 @@ class PngRows {
  private:
   struct Stretch {
     std::size_t first_row, end_row;
-    std::vector<unsigned char> filtered;
     std::vector<unsigned char> compressed;
     std::uint32_t checksum;
     bool fine;
@@ -42,15 +43,16 @@ class PngRows {
   [[nodiscard]] std::size_t begin_of(std::size_t y) const {
     return y * (row_bytes_ + pixel_bytes_) + pixel_bytes_;
   }
-  void filter(Stretch& stretch) const;
-  void compress(const Stretch* before, Stretch& stretch, bool last) const;
+  void filter(const Stretch& stretch);
+  void compress(Stretch& stretch) const;
 
   std::size_t row_bytes_;
   std::size_t pixel_bytes_;
   std::size_t count_;
   int level_;
   // A row of zeros, then the rows; `pixel_bytes` zeros before each stand for what lies left of it.
-  std::vector<unsigned char> rows_;
+  LargeArray<unsigned char> rows_;
+  LargeArray<unsigned char> filtered_;  // with the number of the filter before each row
 };
 
 }  // namespace durer::image
