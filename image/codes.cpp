@@ -78,16 +78,31 @@ Coder::Coder(const Image& image, const Encoding& encoding, Depth depth, bool alp
 
 Coder::~Coder() = default;
 
-void Coder::row(int y, std::span<std::uint16_t> out) { any_row(y, out.data()); }
-void Coder::row(int y, std::span<std::uint8_t> out) { any_row(y, out.data()); }
+void Coder::row(int y, std::span<std::uint16_t> out) {
+  each_code(y, [next = out.data()](unsigned code) mutable {
+    *next++ = static_cast<std::uint16_t>(code);
+  });
+}
 
-template <typename Code>
-void Coder::any_row(int y, Code* next) {
+void Coder::row_bytes(int y, std::span<unsigned char> out) {
+  unsigned char* next = out.data();
+  if (depth_.sample_bits == 8) {
+    each_code(y, [next](unsigned code) mutable { *next++ = static_cast<unsigned char>(code); });
+  } else {
+    each_code(y, [next](unsigned code) mutable {
+      *next++ = static_cast<unsigned char>(code >> 8);
+      *next++ = static_cast<unsigned char>(code & 0xFF);
+    });
+  }
+}
+
+template <typename Put>
+void Coder::each_code(int y, Put put) {
   if (table_ && colours_ == 3 && !alpha_) {
     const CodeTable& table = *table_;
     const float* pixel = image_->at(0, y).data();
     for (int x = 0; x < image_->width; ++x, pixel += 4) {
-      for (int i = 0; i < 3; ++i) *next++ = static_cast<Code>(table.code_of(pixel[i]));
+      for (int i = 0; i < 3; ++i) put(table.code_of(pixel[i]));
     }
     return;
   }
@@ -95,7 +110,7 @@ void Coder::any_row(int y, Code* next) {
   const auto to_working = [this](float v) { return working(encoding_, v); };
   const auto as_it_is = [](float v) { return v; };
   for (int x = 0; x < image_->width; ++x) {
-    dither_.enter(x, y);
+    if (!dither_.idle()) dither_.enter(x, y);
     const auto pixel = image_->at(x, y);
     glm::vec3 c = rgb_of(pixel);
     const float luminance = grey(c);
@@ -103,13 +118,10 @@ void Coder::any_row(int y, Code* next) {
     if (encoding_.greyscale) c = glm::vec3(luminance);
     if (alpha_) c /= a == 0 ? 1e-6F : a;
     for (int i = 0; i < colours_; ++i) {
-      *next++ = static_cast<Code>(
-          table_ ? table_->code_of(c[i])
+      put(table_ ? table_->code_of(c[i])
                  : code_of(c[i], i, depth_, dither_, to_file, to_working));
     }
-    if (alpha_) {
-      *next++ = static_cast<Code>(code_of(a, colours_, depth_, dither_, as_it_is, as_it_is));
-    }
+    if (alpha_) put(code_of(a, colours_, depth_, dither_, as_it_is, as_it_is));
   }
 }
 

@@ -80,15 +80,20 @@ PngRows::PngRows(std::size_t row_bytes, std::size_t pixel_bytes, std::size_t cou
       pixel_bytes_(pixel_bytes),
       count_(count),
       level_(level),
-      rows_((row_bytes + pixel_bytes) * (count + 1)),
       filtered_((row_bytes + 1) * count) {}
 
-void PngRows::filter(const Stretch& stretch) {
+void PngRows::filter(const Stretch& stretch, const Source& source) {
+  // Zeros stand for what lies left of the picture, and above it.
+  std::vector<unsigned char> above(pixel_bytes_ + row_bytes_);
+  std::vector<unsigned char> here = above;
+  const auto row = [&](std::vector<unsigned char>& v) { return std::span(v).subspan(pixel_bytes_); };
+  if (stretch.first_row > 0) source(stretch.first_row - 1, row(above));
   PngFilters filters(row_bytes_);
   for (std::size_t y = stretch.first_row; y < stretch.end_row; ++y) {
-    const unsigned char* const above = rows_.data() + begin_of(y);
-    const unsigned char* const here = rows_.data() + begin_of(y + 1);
-    filters.apply({here, above, row_bytes_, pixel_bytes_}, &filtered_[y * (row_bytes_ + 1)]);
+    source(y, row(here));
+    filters.apply({row(here).data(), row(above).data(), row_bytes_, pixel_bytes_},
+                  &filtered_[y * (row_bytes_ + 1)]);
+    std::swap(here, above);
   }
 }
 
@@ -112,7 +117,7 @@ void PngRows::compress(Stretch& stretch) const {
   stretch.fine = deflate.fine();
 }
 
-std::vector<unsigned char> PngRows::finish(int threads) {
+std::vector<unsigned char> PngRows::stream(const Source& source, int threads) {
   const std::size_t rows_each = std::max<std::size_t>(1, stretch_size / (row_bytes_ + 1));
   std::vector<Stretch> stretches;
   for (std::size_t y = 0; y < count_; y += rows_each) {
@@ -125,7 +130,7 @@ std::vector<unsigned char> PngRows::finish(int threads) {
   arena.execute([&] {
     // Two rounds, because a stretch looks back into the filtered rows before it.
     tbb::parallel_for(std::size_t{0}, stretches.size(),
-                      [&](std::size_t i) { filter(stretches[i]); });
+                      [&](std::size_t i) { filter(stretches[i], source); });
     tbb::parallel_for(std::size_t{0}, stretches.size(),
                       [&](std::size_t i) { compress(stretches[i]); });
   });

@@ -1,9 +1,9 @@
 // Rows of a PNG → the compressed stream of its IDAT chunks.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -24,13 +24,10 @@ class PngRows {
   /// pixel. `level`: 0…9 as zlib has it, or -1 for what suits the rows.
   PngRows(std::size_t row_bytes, std::size_t pixel_bytes, std::size_t count, int level);
 
-  /// Where row `y` goes.
-  [[nodiscard]] std::span<unsigned char> row(std::size_t y) {
-    return {rows_.data() + begin_of(y + 1), row_bytes_};
-  }
-  /// The whole stream, after all rows are there; empty if memory ran out. `threads` work on it; 0:
-  /// one per processor.
-  [[nodiscard]] std::vector<unsigned char> finish(int threads);
+  /// Writes row `y`; asked by several threads, and for some rows twice.
+  using Source = std::function<void(std::size_t y, std::span<unsigned char> row)>;
+  /// The whole stream; empty if memory ran out. `threads` work on it; 0: one per processor.
+  [[nodiscard]] std::vector<unsigned char> stream(const Source& source, int threads);
 
  private:
   struct Stretch {
@@ -39,19 +36,13 @@ class PngRows {
     std::uint32_t checksum;
     bool fine;
   };
-  /// Of row `y`, the first being 1; 0 is the one of zeros.
-  [[nodiscard]] std::size_t begin_of(std::size_t y) const {
-    return y * (row_bytes_ + pixel_bytes_) + pixel_bytes_;
-  }
-  void filter(const Stretch& stretch);
+  void filter(const Stretch& stretch, const Source& source);
   void compress(Stretch& stretch) const;
 
   std::size_t row_bytes_;
   std::size_t pixel_bytes_;
   std::size_t count_;
   int level_;
-  // A row of zeros, then the rows; `pixel_bytes` zeros before each stand for what lies left of it.
-  LargeArray<unsigned char> rows_;
   LargeArray<unsigned char> filtered_;  // with the number of the filter before each row
 };
 

@@ -44,21 +44,19 @@ void write_header(png_structp png, png_infop info, const Image& image, const Cod
 std::vector<unsigned char> compressed(const Image& image, const Encoding& encoding, Coder& coder) {
   const std::size_t samples = static_cast<std::size_t>(image.width) * coder.channels();
   const std::size_t width = coder.sample_bits() / 8U;
-  PngRows rows(samples * width, coder.channels() * width, image.height, encoding.compression);
-  std::vector<std::uint16_t> codes(samples);
-  for (int y = 0; y < image.height; ++y) {
-    const std::span<unsigned char> bytes = rows.row(y);
-    if (width == 1) {
-      coder.row(y, bytes);
-      continue;
-    }
-    coder.row(y, codes);
-    for (std::size_t i = 0; i < samples; ++i) {  // the high byte comes first
-      bytes[2 * i] = static_cast<unsigned char>(codes[i] >> 8);
-      bytes[2 * i + 1] = static_cast<unsigned char>(codes[i] & 0xFF);
-    }
-  }
-  return rows.finish(encoding.threads);
+  const std::size_t size = samples * width;
+  PngRows rows(size, coder.channels() * width, image.height, encoding.compression);
+  const auto code = [&coder](std::size_t y, std::span<unsigned char> row) {
+    coder.row_bytes(static_cast<int>(y), row);
+  };
+  if (encoding.dither == Dither::none) return rows.stream(code, encoding.threads);
+  LargeArray<unsigned char> all(size * image.height);
+  const auto row_of_all = [&](std::size_t y) { return std::span(&all[size * y], size); };
+  for (int y = 0; y < image.height; ++y) code(y, row_of_all(y));
+  const auto copy = [&](std::size_t y, std::span<unsigned char> row) {
+    std::copy_n(row_of_all(y).begin(), size, row.begin());
+  };
+  return rows.stream(copy, encoding.threads);
 }
 
 /// False if libpng stopped with an error: it jumps back to here, so nothing in this function may
