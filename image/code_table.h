@@ -41,8 +41,8 @@ class CodeTable {
 
   /// Below 0 and NaN: 0. Above 1: 255.
   [[nodiscard]] unsigned code_of(float v) const {
-    float near = v > std::bit_cast<float>(smallest) ? v : std::bit_cast<float>(smallest);
-    near = near < 1.0F ? near : 1.0F;
+    float near = v > least_number_ ? v : least_number_;
+    near = near < greatest_number_ ? near : greatest_number_;
     const unsigned code = first_[(std::bit_cast<std::uint32_t>(near) - smallest) >> shift];
     return code + (v >= least_[code + 1] ? 1 : 0);
   }
@@ -54,6 +54,9 @@ class CodeTable {
   static constexpr std::uint32_t smallest = std::bit_cast<std::uint32_t>(0x1p-20F);
   static constexpr int shift = 13;
 
+  // Not constants, for which the compiler would make branches.
+  float least_number_ = std::bit_cast<float>(smallest);
+  float greatest_number_ = 1;
   std::array<float, 257> least_{};
   std::array<std::uint8_t, ((one - smallest) >> shift) + 1> first_{};  // code where the sort begins
   bool exact_ = true;
