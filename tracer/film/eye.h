@@ -24,10 +24,12 @@ struct Viewpoint {
   NormalStore bumps;  // of the camera
   NormalId bump = scene::none;
   bool one_origin = true;  // all rays start where the camera is
+  bool bodies_matter = true;  // to what is seen: those that hold the place where a ray starts
   dvec3 lens_right{0.0};   // unit: axes of the lens …
   dvec3 lens_up{0.0};
   double lens_scale = 1;  // … and from the camera's directions to places that are in focus
   int turns = 1;           // rays per sample
+  bool direct = true;      // one ray per sample, and through a pinhole
   double reach = no_hit_depth;
   const PhotonMaps* photons = nullptr;  // once they are shot
 };
@@ -39,7 +41,9 @@ class Eye {
 
   /// The picture at (x, y), in pixels: whole numbers are centres. `index` tells the samples of a
   /// pixel apart.
-  [[nodiscard]] Pixel see(double x, double y, std::uint32_t index);
+  [[nodiscard]] Pixel see(double x, double y, std::uint32_t index) {
+    return view_->direct ? see_directly(x, y, index) : see_all(x, y, index);
+  }
   /// The same at several spots, which is faster where these are neighbours.
   void see(std::span<const Spot> spots, Pixel* out);
 
@@ -55,12 +59,15 @@ class Eye {
   [[nodiscard]] std::uint64_t rays() const { return scratch_.rays; }
 
  private:
+  [[nodiscard]] Pixel see_directly(double x, double y, std::uint32_t index);
+  [[nodiscard]] Pixel see_all(double x, double y, std::uint32_t index);
   [[nodiscard]] bool camera_ray(double x, double y, int turn, CameraRay& out);
   Pixel plain(double x, double y, std::uint32_t index);
   [[nodiscard]] Pixel through_lens(dvec2 at, dvec2 pixel, std::uint32_t index, int sample);
   [[nodiscard]] Pixel look_along(const CameraRay& ray, double x, double y, std::uint32_t index);
   void start(const CameraRay& ray, Path& path);
   void find_around(const dvec3& p, Containment& inside);
+  [[nodiscard]] dvec3 unit(const dvec3& d);
 
   const Viewpoint* view_;
   Scratch scratch_;
@@ -69,6 +76,8 @@ class Eye {
   SobolSampler random_;
   functions::Workspace workspace_;
   std::vector<Sample> samples_;  // that are taken together
+  dvec3 last_d_{0.0};  // the camera's direction of the last ray …
+  dvec3 last_unit_{0.0};  // … and the same with unit length
 };
 
 }  // namespace durer::tracer
