@@ -43,15 +43,10 @@ Radiance Tracer::shown(const View& view, const Path& path) {
     return sum;
   }
   Path own = path;
-  return lit_and_behind(view, own);
-}
-
-/// The same of one texture; uses the path up.
-Radiance Tracer::lit_and_behind(const View& view, Path& path) {
-  const Step step = surface(view, path);
+  const Step step = surface(view, own);
   Radiance r{step.colour, step.transmittance};
   if (!step.continues) return r;
-  const Radiance behind = follow(path, step.straight);
+  const Radiance behind = follow(own, step.straight);
   r.colour += step.through * behind.colour;
   r.transmittance *= behind.transmittance;
   return r;

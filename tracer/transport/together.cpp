@@ -10,8 +10,7 @@
 
 namespace durer::tracer {
 
-// Where the order of rays matters, or there is more between surfaces than nothing, they are followed
-// one by one.
+// Where the order of rays matters, they are followed one by one.
 void Tracer::trace(std::span<Sample> samples) {
   if (!together_) {
     for (Sample& s : samples) {
@@ -39,11 +38,19 @@ void Tracer::trace(std::span<Sample> samples) {
     Sample& sample = samples[i];
     const View& view = scratch_->found[i].look.view;
     scratch_->noise = sample.noise;
-    if (is_plain(view)) {
+    if (is_plain(view) && !in_air_) {
       plain_light(view, sample.path.inside, sample.seen.colour);
       sample.seen.transmittance = 0;
+      continue;
+    }
+    const Step step = surface(view, sample.path);
+    Along along = scratch_->found[i].along;
+    along.add(step);
+    if (step.continues) {
+      along.through *= step.through;
+      sample.seen = follow(sample.path, step.straight, along);
     } else {
-      sample.seen = lit_and_behind(view, sample.path);
+      sample.seen = {along.sum, along.transmittance};
     }
   }
 }
@@ -58,17 +65,24 @@ bool Tracer::find(Sample& sample, FoundSurface& found) {
   }
   Hit hit;
   ++scratch_->rays;
-  if (!scene_->geometry.closest(path.ray, t_min, path.reach, path.kind(), hit,
-                                *scratch_->geometry)) {
+  const bool met = scene_->geometry.closest(path.ray, t_min, path.reach, path.kind(), hit,
+                                            *scratch_->geometry);
+  Along& along = *::new (&found.along) Along;
+  if (in_air_) {
+    scratch_->noise = sample.noise;
+    pass_air(path, met ? &hit : nullptr, along);
+    sample.noise = scratch_->noise;  // goes on from here
+  }
+  if (!met) {
     const Sky::Seen s = scene_->sky.at(path.ray.d, !alpha_);
-    sample.seen = {s.colour, s.transmittance};
+    sample.seen = along.ends_with({s.colour, s.transmittance});
     return false;
   }
   ++path.level;
   Look& look = *::new (&found.look) Look(this->look(hit, path.ray.d));  // made in place
   if (!is_mixed(look)) return true;
   scratch_->noise = sample.noise;
-  sample.seen = mixed(look, hit, path);
+  sample.seen = along.ends_with(mixed(look, hit, path));
   return false;
 }
 

@@ -27,7 +27,7 @@ Tracer::Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha)
       translucent_shadows_(scene.geometry.has_translucent_shadows()),
       air_(scene.quality.atmosphere && !scene.atmosphere.empty()),
       in_air_(air_ || !scene.media.empty()),
-      together_(!in_air_ && !scene.radiosity),
+      together_(!scene.radiosity),
       plain_(scene.quality.lights && !scene.radiosity && scene.scene->settings.adc_bailout >= 0),
       opaque_shadows_(scene.quality.shadows && !translucent_shadows_ && !dims()),
       quality_(scene.quality) {
@@ -43,27 +43,18 @@ Tracer::Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha)
 
 // Transmitted rays are followed in the loop rather than by recursion: straight ones do not count as
 // a level, so that a ray may pass any number of them. Afterwards `path` is where the light came from.
-Radiance Tracer::follow(Path& path, bool straight) {
-  vec3 sum(0.0F);
-  vec3 through(1.0F);
-  float transmittance = 1;
+Radiance Tracer::follow(Path& path, bool straight, Along& along) {
   for (;;) {
     const Limits& limit = limits(path);
-    if (path.level >= limit.max_level || path.weight < limit.adc) return {sum, 0};
+    if (path.level >= limit.max_level || path.weight < limit.adc) return {along.sum, 0};
     Hit hit;
     ++scratch_->rays;
     const bool met =
         scene_->geometry.closest(path.ray, t_min, path.reach, path.kind(), hit, *scratch_->geometry);
-    if (in_air_ && (path.bounce == 0 || gathers_air_) && in_the_open(path.inside)) {
-      const double depth = met ? hit.t : no_hit_depth;
-      const Veil air = veil(path, depth, met ? &hit : nullptr);
-      sum += through * air.glow;
-      through *= air.through;
-      transmittance *= air.transmittance;
-    }
+    if (in_air_) pass_air(path, met ? &hit : nullptr, along);
     if (!met) {
       const Sky::Seen s = scene_->sky.at(path.ray.d, path.reflected || path.bounce > 0 || !alpha_);
-      return {sum + through * s.colour, transmittance * s.transmittance};
+      return along.ends_with({s.colour, s.transmittance});
     }
     if (FirstHit* first = std::exchange(path.first, nullptr); first != nullptr) {
       first->distance = hit.t;
@@ -73,17 +64,22 @@ Radiance Tracer::follow(Path& path, bool straight) {
     if (!straight) ++path.level;
     Look seen = look(hit, path.ray.d);
     seen.view.gathering = path.bounce > 0;
-    if (is_mixed(seen)) {
-      const Radiance r = mixed(seen, hit, path);
-      return {sum + through * r.colour, transmittance * r.transmittance};
-    }
+    if (is_mixed(seen)) return along.ends_with(mixed(seen, hit, path));
     const Step step = surface(seen.view, path);
-    sum += through * step.colour;
-    transmittance *= step.transmittance;
-    if (!step.continues) return {sum, transmittance};
-    through *= step.through;
+    along.add(step);
+    if (!step.continues) return {along.sum, along.transmittance};
+    along.through *= step.through;
     straight = step.straight;
   }
+}
+
+// What lies between the path's origin and a `hit`, or everything ahead.
+void Tracer::pass_air(const Path& path, const Hit* hit, Along& along) {
+  if ((path.bounce > 0 && !gathers_air_) || !in_the_open(path.inside)) return;
+  const Veil air = veil(path, hit != nullptr ? hit->t : no_hit_depth, hit);
+  along.sum += along.through * air.glow;
+  along.through *= air.through;
+  along.transmittance *= air.transmittance;
 }
 
 /// True if several textures show at the point; afterwards a single one is chosen.

@@ -259,7 +259,27 @@ class Tracer {
     const SurfaceProgram* surface = nullptr;
   };
 
-  [[nodiscard]] Radiance follow(Path& path, bool straight);
+  // What a path has gathered so far, and what it can still add to that.
+  struct Along {
+    vec3 sum{0.0F};
+    vec3 through{1.0F};
+    float transmittance = 1;
+
+    void add(const Step& step) {
+      sum += through * step.colour;
+      transmittance *= step.transmittance;
+    }
+    [[nodiscard]] Radiance ends_with(const Radiance& r) const {
+      return {sum + through * r.colour, transmittance * r.transmittance};
+    }
+  };
+
+  [[nodiscard]] Radiance follow(Path& path, bool straight) {
+    Along along;
+    return follow(path, straight, along);
+  }
+  [[nodiscard]] Radiance follow(Path& path, bool straight, Along& along);
+  void pass_air(const Path& path, const Hit* hit, Along& along);
   [[nodiscard]] bool is_mixed(Look& look) const;
   [[nodiscard]] Radiance mixed(const Look& look, const Hit& hit, const Path& path);
   [[nodiscard]] Radiance blend(const Look& look, const Hit& hit, const Path& path);
@@ -268,7 +288,6 @@ class Tracer {
                                      bool from_inside, std::uint32_t& places) const;
   void dress(View& view, const Look& look, const Hit& hit, std::uint32_t texture) const;
   [[nodiscard]] Radiance shown(const View& view, const Path& path);
-  [[nodiscard]] Radiance lit_and_behind(const View& view, Path& path);
   // together.cpp
   [[nodiscard]] bool find(Sample& sample, FoundSurface& found);
   void look_up(std::span<FoundSurface* const> found, std::size_t place);
@@ -475,6 +494,7 @@ struct FoundSurface {
   Tracer::Look look;
   std::array<Tracer::LayerLook, most_layers> layers;  // as far as `look.view.known` goes
   vec3 through{1.0F};  // what they let through
+  Tracer::Along along;  // what is before the surface
   bool waits = false;
 };
 
