@@ -3,6 +3,7 @@
 #include <string>
 
 #include "tests/unit/tracer_shading/shading_test.h"
+#include "tracer/film/eye.h"
 
 using namespace durer;
 using namespace durer::test;
@@ -59,22 +60,37 @@ struct Gallery : SceneBuilder {
   [[nodiscard]] std::uint32_t pattern_of(std::string_view name) const { return pattern(name); }
 };
 
-std::vector<float> pixels(const scene::Scene& scene, int block_size = 32) {
-  const auto c = compiled(scene);
+RenderOptions small_picture() {
   RenderOptions options;
   options.width = 70;
   options.height = 40;
   options.threads = 1;
-  options.block_size = block_size;
   options.antialias = false;
-  const auto image = render(*c, options).image;
+  return options;
+}
+std::vector<float> pixels(const scene::Scene& scene) {
+  const auto c = compiled(scene);
+  const auto image = render(*c, small_picture()).image;
   return {image.pixels.begin(), image.pixels.end()};
+}
+// The same, ray by ray.
+std::vector<float> one_by_one(const scene::Scene& scene) {
+  const auto c = compiled(scene);
+  const RenderOptions options = small_picture();
+  const tracer::Viewpoint view(*c, options);
+  tracer::Eye eye(view);
+  std::vector<float> out;
+  for (int y = 0; y < options.height; ++y) {
+    for (int x = 0; x < options.width; ++x) {
+      const tracer::Pixel p = eye.see(x, y, 0);
+      out.insert(out.end(), {p.x, p.y, p.z, 1 - p.w});
+    }
+  }
+  return out;
 }
 bool same(const std::vector<float>& a, const std::vector<float>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
 }
-
-constexpr int alone = 1;  // blocks so small that no ray has a neighbour
 
 scene::Finish glossy() {
   scene::Finish f;
@@ -92,7 +108,7 @@ TEST_CASE("side by side: patterns look as they do for one ray", "[tracer][side_b
   CAPTURE(name, stirred);
   Gallery s;
   s.place(s.texture(s.pigment(name, stirred), glossy()));
-  CHECK(same(pixels(s.scene), pixels(s.scene, alone)));
+  CHECK(same(pixels(s.scene), one_by_one(s.scene)));
 }
 
 TEST_CASE("side by side: bumps are as they are for one ray", "[tracer][side_by_side]") {
@@ -103,7 +119,7 @@ TEST_CASE("side by side: bumps are as they are for one ray", "[tracer][side_by_s
   scene::Normal n = s.bumps(name);
   n.no_bump_scale = keep;
   s.place(s.layers({{s.pigment("bozo", false), glossy(), {}, n}}));
-  CHECK(same(pixels(s.scene), pixels(s.scene, alone)));
+  CHECK(same(pixels(s.scene), one_by_one(s.scene)));
 }
 
 TEST_CASE("side by side: layers are looked up as far as they show", "[tracer][side_by_side]") {
@@ -118,7 +134,29 @@ TEST_CASE("side by side: layers are looked up as far as they show", "[tracer][si
                     {s.pigment("bozo", true, clear), glossy(), {}},
                     {s.pigment("marble", true, clear), glossy(), {}},
                     {s.pigment("leopard", false, clear), glossy(), {}}}));
-  CHECK(same(pixels(s.scene), pixels(s.scene, alone)));
+  CHECK(same(pixels(s.scene), one_by_one(s.scene)));
+}
+
+TEST_CASE("side by side: what is before and behind a surface stays there", "[tracer][side_by_side]") {
+  Gallery s;
+  s.place(s.texture(s.pigment("wood", true), glossy()));
+  scene::Finish mirror = glossy();
+  mirror.reflection_min = mirror.reflection_max = vec3(0.3F);
+  scene::Interior crown;
+  crown.ior = 1.4;
+  crown.fade_power = 1;
+  crown.fade_distance = 1;
+  const auto inside = s.interior(crown);
+  const auto glass = s.texture(s.pigment("bozo", false, 0.9F), mirror);
+  for (const double x : {-2.0, -0.5, 1.0}) s.add("sphere", {x, 1.2, -2, 0.7}, glass, inside);
+  SECTION("in clear air") {}
+  SECTION("in fog") {
+    scene::Fog fog;
+    fog.distance = 12;
+    fog.colour = rgbft(0.6F, 0.7F, 0.8F);
+    s.scene.fogs.push_back(fog);
+  }
+  CHECK(same(pixels(s.scene), one_by_one(s.scene)));
 }
 
 // A layer that shows nothing, but is there.
@@ -159,5 +197,5 @@ TEST_CASE("plain surfaces: the short way gives what the long one gives", "[trace
   s.place(s.layers({shown}));
   longer.place(longer.layers({shown, {plain(rgbft(1, 1, 1, 0, 1)), dull(), {}}}));
   CHECK(same(pixels(s.scene), pixels(longer.scene)));
-  CHECK(same(pixels(s.scene), pixels(s.scene, alone)));
+  CHECK(same(pixels(s.scene), one_by_one(s.scene)));
 }
