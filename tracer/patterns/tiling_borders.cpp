@@ -36,7 +36,7 @@ int rhombs(double x, double z) {
   x = floor_mod(x, 3);
   const bool mirrored = x >= 1.5;
   if (mirrored) x = 3 - x;
-  if (x == 0 || z / x > root3 || z < root3 * (x - 1)) return 1;
+  if (x == 0 || z / x > root3 || x == 1.5 || (h - z) / (1.5 - x) > root3) return 1;
   return mirrored ? 2 : 0;
 }
 
