@@ -65,6 +65,30 @@ int hexagons_and_triangles(double x, double z) {
   return mirrored ? 1 : 0;
 }
 
+/// Hexagons, triangles and squares of three directions, seen from the middle of an upright square.
+/// The kind of tile in tiling 17.
+int small_rings(dvec2 p) {
+  constexpr double width = 1.5 + h;  // to the next upright square, which is higher by `height`
+  constexpr double height = 0.5 + h;
+  double x = floor_mod(p.x - height, 2 * width);
+  double z = floor_mod(p.y, 2 * height);
+  bool left = x >= width;
+  bool below = z >= height;
+  if (left) x = 2 * width - x;
+  if (below) z = 2 * height - z;
+  for (int turn = 0; turn < 2; ++turn) {  // as this square sees it, as the other one does
+    if (x < 0.5 && z < 0.5) return 0;
+    if (x >= 0.5 && root3 * z < height - x) return left ? 4 : 3;
+    if (z >= 0.5 && root3 * (x - 0.5) < z - 0.5) return 5;
+    x = width - x;
+    z = height - z;
+    left = !left;
+    below = !below;
+  }
+  return left == below ? 2 : 1;
+}
+constexpr std::array<int, 6> kinds_in_16 = {0, 0, 0, 1, 1, 2};
+
 /// A square in the middle of four trapezoids, seen from that middle; 4 by 4.
 struct Frame {
   double x, z;
@@ -113,6 +137,8 @@ std::optional<int> kind_by_folding(int number, dvec2 p) {
     case 9: return hexagons_and_triangles(p.x, p.y);
     case 13: return kinds_in_frame[0][Frame(p).part()];
     case 14: return kinds_in_frame[1][Frame(p).part()];
+    case 16: return kinds_in_16[static_cast<std::size_t>(small_rings(p))];
+    case 17: return small_rings(p);
     default: return {};
   }
 }
