@@ -65,6 +65,34 @@ int hexagons_and_triangles(double x, double z) {
   return mirrored ? 1 : 0;
 }
 
+/// Hexagons with triangles all around, in a skewed cell; the one of tiling 20 leans the other way.
+/// A hexagon has its lower border, but not its upper one.
+int lone_hexagons(int number, double x, double z) {
+  const bool leans_right = number == 20;
+  const dvec2 step = leans_right ? dvec2(2, 2 * h) : dvec2(2.5, h);
+  const double shift = leans_right ? -0.5 : 0.5;  // from a row of cells to the next one
+  const double row = floored(z / (3 * h));
+  z -= row * (3 * h);
+  x = floor_mod(x + shift * row, 7);
+  while (x > step.x) {
+    x -= step.x;
+    z += step.y;
+    if (z > 3 * h) {
+      z -= 3 * h;
+      x += shift;
+    }
+  }
+  if (z >= h && z < 3 * h && std::abs(z - 2 * h) <= root3 * (1 - std::abs(x - 1))) return 2;
+  if (z > 2 * h) {
+    z -= 2 * h;
+  } else if (z > h) {
+    z -= h;
+    x -= 0.5;
+  }
+  x = floor_mod(x, 1);
+  return z >= root3 * x || z > root3 * (1 - x) ? 1 : 0;
+}
+
 /// Hexagons, triangles and squares of three directions, seen from the middle of an upright square.
 /// The kind of tile in tiling 17.
 int small_rings(dvec2 p) {
@@ -139,6 +167,8 @@ std::optional<int> kind_by_folding(int number, dvec2 p) {
     case 14: return kinds_in_frame[1][Frame(p).part()];
     case 16: return kinds_in_16[static_cast<std::size_t>(small_rings(p))];
     case 17: return small_rings(p);
+    case 19:
+    case 20: return lone_hexagons(number, p.x, p.y);
     default: return {};
   }
 }
