@@ -90,7 +90,7 @@ int lone_hexagons(int number, double x, double z) {
     x -= 0.5;
   }
   x = floor_mod(x, 1);
-  return z >= root3 * x || z > root3 * (1 - x) ? 1 : 0;
+  return x == 0 || outside_triangle(x, z) ? 1 : 0;
 }
 
 /// Hexagons, triangles and squares of three directions, seen from the middle of an upright square.
