@@ -57,29 +57,73 @@ DURER_INLINE Smallest3 search(const PointList& points, const dvec3& p, int n,
   return {all.a, all.b, all.c};
 }
 
-template <class V>
-DURER_INLINE Smallest3 search(const PointList& points, const dvec3& p, int n,
-                              const Smallest3& so_far) {
-  if (n == 2) return search<V, 2>(points, p, n, so_far);
-  if (n == 1) return search<V, 1>(points, p, n, so_far);
-  return search<V, 3>(points, p, n, so_far);
+/// Of some of four points, a lane each.
+template <class V, int exponent>
+DURER_INLINE void search_lanes(const PointList& points, const dvec3* p, int n, Smallest3* out) {
+  constexpr int lanes = sizeof(V) / sizeof(double);
+  V x{}, y{}, z{};
+  for (int lane = 0; lane < lanes; ++lane) {
+    x[lane] = p[lane].x;
+    y[lane] = p[lane].y;
+    z[lane] = p[lane].z;
+  }
+  const V none = V{} + nothing_near[0];
+  Smallest<V> found{none, none, none};
+  for (int i = 0; i < points.count; ++i) {
+    found.add((power<V, exponent>(points.x[i] - x, n) + power<V, exponent>(points.y[i] - y, n)) +
+              power<V, exponent>(points.z[i] - z, n));
+  }
+  for (int lane = 0; lane < lanes; ++lane) {
+    out[lane] = {found.a[lane], found.b[lane], found.c[lane]};
+  }
 }
 
-Smallest3 baseline(const PointList& points, const dvec3& p, int n, const Smallest3& so_far) {
-  return search<Double2>(points, p, n, so_far);
+template <class V, int exponent>
+DURER_INLINE FourSmallest3 search(const PointList& points, const FourPoints& p, int n) {
+  constexpr std::size_t lanes = sizeof(V) / sizeof(double);
+  FourSmallest3 found;
+  for (std::size_t i = 0; i < p.size(); i += lanes) {
+    search_lanes<V, exponent>(points, &p[i], n, &found[i]);
+  }
+  return found;
 }
+
+/// By exponent; `more` goes on to the search.
+template <class V, class Point, class... More>
+DURER_INLINE auto search(const PointList& points, const Point& p, int n, const More&... more) {
+  if (n == 2) return search<V, 2>(points, p, n, more...);
+  if (n == 1) return search<V, 1>(points, p, n, more...);
+  return search<V, 3>(points, p, n, more...);
+}
+
+struct Kernels {
+  Smallest3 (*of_one)(const PointList&, const dvec3&, int, const Smallest3&);
+  FourSmallest3 (*of_four)(const PointList&, const FourPoints&, int);
+};
+
+constexpr Kernels baseline{
+    [](const PointList& points, const dvec3& p, int n, const Smallest3& so_far) {
+      return search<Double2>(points, p, n, so_far);
+    },
+    [](const PointList& points, const FourPoints& p, int n) {
+      return search<Double2>(points, p, n);
+    },
+};
 #ifdef __x86_64__
-__attribute__((target("avx2"))) Smallest3 avx2(const PointList& points, const dvec3& p, int n,
-                                               const Smallest3& so_far) {
+__attribute__((target("avx2"))) Smallest3 avx2_of_one(const PointList& points, const dvec3& p,
+                                                      int n, const Smallest3& so_far) {
   return search<Double4>(points, p, n, so_far);
+}
+__attribute__((target("avx2"))) FourSmallest3 avx2_of_four(const PointList& points,
+                                                           const FourPoints& p, int n) {
+  return search<Double4>(points, p, n);
 }
 #endif
 
-using Kernel = Smallest3 (*)(const PointList&, const dvec3&, int, const Smallest3&);
-constinit Kernel best = &baseline;
+constinit Kernels best = baseline;
 [[maybe_unused]] const bool chosen = [] {
 #ifdef __x86_64__
-  if (__builtin_cpu_supports("avx2") != 0) best = &avx2;
+  if (__builtin_cpu_supports("avx2") != 0) best = {avx2_of_one, avx2_of_four};
 #endif
   return true;
 }();
@@ -88,11 +132,18 @@ constinit Kernel best = &baseline;
 
 Smallest3 smallest_distances(const PointList& points, const dvec3& p, int exponent,
                              const Smallest3& so_far) {
-  return best(points, p, exponent, so_far);
+  return best.of_one(points, p, exponent, so_far);
+}
+FourSmallest3 smallest_distances(const PointList& points, const FourPoints& p, int exponent) {
+  return best.of_four(points, p, exponent);
 }
 Smallest3 smallest_distances(const PointList& points, const dvec3& p, int exponent,
                              const Smallest3& so_far, int set) {
-  return (set == 0 ? &baseline : best)(points, p, exponent, so_far);
+  return (set == 0 ? baseline : best).of_one(points, p, exponent, so_far);
+}
+FourSmallest3 smallest_distances(const PointList& points, const FourPoints& p, int exponent,
+                                 int set) {
+  return (set == 0 ? baseline : best).of_four(points, p, exponent);
 }
 
 }  // namespace durer::functions::simd

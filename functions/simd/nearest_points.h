@@ -28,8 +28,15 @@ inline constexpr Smallest3 nothing_near = [] {
 /// at least 1.
 [[nodiscard]] Smallest3 smallest_distances(const PointList& points, const dvec3& p, int exponent,
                                            const Smallest3& so_far = nothing_near);
+/// The same for four points side by side, which is faster than one after another.
+using FourPoints = std::array<dvec3, 4>;
+using FourSmallest3 = std::array<Smallest3, 4>;
+[[nodiscard]] FourSmallest3 smallest_distances(const PointList& points, const FourPoints& p,
+                                               int exponent);
 /// The same by a given instruction set, for tests: 0 baseline, 1 the best.
 [[nodiscard]] Smallest3 smallest_distances(const PointList& points, const dvec3& p, int exponent,
                                            const Smallest3& so_far, int set);
+[[nodiscard]] FourSmallest3 smallest_distances(const PointList& points, const FourPoints& p,
+                                               int exponent, int set);
 
 }  // namespace durer::functions::simd

@@ -44,13 +44,45 @@ struct Crackle {
   double operator()(dvec3 p) const {
     CrackleCell& cell = crackle_cell(CrackleCube::around(p));
     if (solid) return functions::noise(nearest(cell, p), generator);
-    const Smallest3 powers = distances(cell, p);
+    Smallest3 powers = functions::simd::nothing_near;
+    add(cell.near, p, powers);
+    add_far(cell, p, powers);
+    return weighed(powers);
+  }
+  // Points beside each other, as bumps ask for them, are mostly in the same cube.
+  void evaluate(std::span<const dvec3> points, double* values) const {
+    while (!points.empty()) {
+      const CrackleCube cube = CrackleCube::around(points[0]);
+      const std::size_t most =
+          solid || whole_metric == 0 ? 1 : std::min<std::size_t>(4, points.size());
+      std::size_t count = 1;
+      while (count < most && CrackleCube::around(points[count]) == cube) ++count;
+      if (count == 1) {
+        *values = (*this)(points[0]);
+      } else {
+        evaluate_near(crackle_cell(cube), points.first(count), values);
+      }
+      points = points.subspan(count);
+      values += count;
+    }
+  }
+
+ private:
+  // Two to four points in the same cube.
+  void evaluate_near(CrackleCell& cell, std::span<const dvec3> points, double* values) const {
+    functions::simd::FourPoints four;
+    for (std::size_t i = 0; i < four.size(); ++i) four[i] = points[std::min(i, points.size() - 1)];
+    auto powers = functions::simd::smallest_distances(cell.near.list(), four, whole_metric);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      add_far(cell, points[i], powers[i]);
+      values[i] = weighed(powers[i]);
+    }
+  }
+  double weighed(const Smallest3& powers) const {
     double sum = 0;
     for (std::uint32_t i = 0; i < asked; ++i) sum += form[static_cast<int>(i)] * length(powers[i]);
     return std::clamp(sum, 0.0, 1.0);
   }
-
- private:
   double power(double x) const {
     x = std::abs(x);
     if (whole_metric == 0) return std::pow(x, metric.x);
@@ -68,11 +100,8 @@ struct Crackle {
     return metric.x > 0 && least <= power(cell.distance_to_far(p));
   }
 
-  Smallest3 distances(CrackleCell& cell, dvec3 p) const {
-    Smallest3 found = functions::simd::nothing_near;
-    add(cell.near, p, found);
+  void add_far(CrackleCell& cell, dvec3 p, Smallest3& found) const {
     if (!near_is_enough(cell, p, found[asked - 1])) add(far_points(cell), p, found);
-    return found;
   }
   template <std::size_t n>
   void add(const CracklePoints<n>& points, dvec3 p, Smallest3& found) const {
@@ -109,7 +138,7 @@ struct Crackle {
 
 }  // namespace
 
-extern constinit const PatternType crackle_pattern =
-    describe_pattern<Crackle>("crackle", "Cracks between random cells.", {.default_map = black_to_white});
+extern constinit const PatternType crackle_pattern = describe_pattern<Crackle>(
+    "crackle", "Cracks between random cells.", {.default_map = black_to_white});
 
 }  // namespace durer::tracer::patterns

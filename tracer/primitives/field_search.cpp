@@ -47,14 +47,39 @@ FieldSearch::Line FieldSearch::line_in(const FieldCell& cell) const {
           static_cast<double>(cell.below.load(std::memory_order_relaxed))};
 }
 
+/// True if the slope along the line may be zero somewhere in the cell.
+bool FieldSearch::grazes(const FieldDetail& cell, const Line& line) const {
+  const dvec3 spread(cell.spread[0], cell.spread[1], cell.spread[2]);
+  return std::abs(line.slope) <= glm::dot(spread, glm::abs(ray_.d));
+}
+
+/// Settles the sign along t0 … t1, a part of the line in the cell, by what is known of the cell.
+/// False if its halves must be asked; `link` leads to them.
+bool FieldSearch::enter(const FieldCell& cell, FieldLink& link, double t0, double t1) {
+  using State = FieldLink::State;
+  const State state = link.state();
+  if (state == State::vague) return false;
+  if (state == State::inside) return settle(-1, t0), true;
+  if (state == State::outside) return settle(1, t0), true;
+  const Line line = line_in(cell);
+  const double a = line.at + line.slope * t0;
+  const double b = line.at + line.slope * t1;
+  if (std::min(a, b) > line.above) return settle(1, t0), true;
+  if (std::max(a, b) < line.below) return settle(-1, t0), true;
+  if (state == State::whole || state == State::halved) return false;
+  const FieldDetail& detail = state == State::refined ? link.halves().whole() : link.detail();
+  if (state != State::rough && detail.depth < grazing_depth && grazes(detail, line)) return false;
+  examine(detail, line, t0, t1);
+  return true;
+}
+
 /// Visits cells in the order of the line until there is nothing more to find.
 void FieldSearch::walk(double t0, double t1) {
-  using State = FieldLink::State;
   struct Visit {
     const FieldCell* cell;
     double end;
   };
-  std::array<Visit, field_depth + 1> later;  // cells that the line has yet to pass
+  std::array<Visit, grazing_depth + 1> later;  // cells that the line has yet to pass
   std::size_t waiting = 0;
   Visit now{&field_.root(), t1};
   dvec3 inverse;
@@ -68,41 +93,26 @@ void FieldSearch::walk(double t0, double t1) {
     if (t0 >= t_to_) done_ = true;
     if (done_) return;
     FieldLink link = now.cell->link.load(std::memory_order_acquire);
-    if (link.state() == State::inside) {
-      settle(-1, t0);
-    } else if (link.state() == State::outside) {
-      settle(1, t0);
-    } else {
-      const Line line = line_in(*now.cell);
-      const double a = line.at + line.slope * t0;
-      const double b = line.at + line.slope * now.end;
-      if (std::min(a, b) > line.above) {
-        settle(1, t0);
-      } else if (std::max(a, b) < line.below) {
-        settle(-1, t0);
-      } else if (link.state() < State::whole) {
-        examine(link.detail(), line, t0, now.end);
-      } else {
-        const int k = link.axis();
-        const std::size_t near = nearer[static_cast<std::size_t>(k)];
-        if (link.state() == State::whole) link = field_.split(*now.cell, link, near);
-        const FieldHalves& halves = link.halves();
-        const double beginning = std::max(t0, t_from_);
-        const double middle = (halves.plane - ray_.o[k]) * inverse[k];
-        // Without branches, which could not be foretold.
-        const bool past = middle <= beginning;
-        t0 = past ? std::max(t0, middle) : t0;
-        const bool both = !past && middle < now.end;
-        later[waiting] = {&halves.cells[1 - near], now.end};
-        waiting += both ? 1 : 0;
-        now.cell = &halves.cells[past ? 1 - near : near];
-        now.end = both ? middle : now.end;
-        continue;
-      }
+    if (enter(*now.cell, link, t0, now.end)) {
+      if (waiting == 0) return;
+      t0 = now.end;
+      now = later[--waiting];
+      continue;
     }
-    if (waiting == 0) return;
-    t0 = now.end;
-    now = later[--waiting];
+    const int k = link.axis();
+    const std::size_t near = nearer[static_cast<std::size_t>(k)];
+    if (!link.has_halves()) link = field_.split(*now.cell, link, near);
+    const FieldHalves& halves = link.halves();
+    const double beginning = std::max(t0, t_from_);
+    const double middle = (halves.plane - ray_.o[k]) * inverse[k];
+    // Without branches, which could not be foretold.
+    const bool past = middle <= beginning;
+    t0 = past ? std::max(t0, middle) : t0;
+    const bool both = !past && middle < now.end;
+    later[waiting] = {&halves.cells[1 - near], now.end};
+    waiting += both ? 1 : 0;
+    now.cell = &halves.cells[past ? 1 - near : near];
+    now.end = both ? middle : now.end;
   }
 }
 
@@ -277,7 +287,7 @@ double FieldSearch::bracketed_root(const Piece& piece) {
   double gb = piece.gb;
   const int before = sign_of(ga);
   int last_side = 0;
-  for (int i = 0; i < 100 && b - a > 1e-4 * fine_; ++i) {
+  for (int i = 0; i < 100 && b - a > fine_; ++i) {
     double t = a - ga * (b - a) / (gb - ga);
     if (i >= 20 || !(t > a && t < b)) t = a + (b - a) / 2;
     if (!(t > a && t < b)) break;

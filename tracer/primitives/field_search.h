@@ -44,6 +44,8 @@ class FieldSearch {
     double at, slope, above, below;
   };
   [[nodiscard]] Line line_in(const FieldCell& cell) const;
+  [[nodiscard]] bool grazes(const FieldDetail& cell, const Line& line) const;
+  [[nodiscard]] bool enter(const FieldCell& cell, FieldLink& link, double t0, double t1);
   void examine(const FieldDetail& cell, const Line& line, double t0, double t1);
   struct Band {
     double begin, end;  // where a root may lie

@@ -44,7 +44,7 @@ Spread spread_over(double value, const dvec3& g, const FieldDetail& cell, const 
 
 void delete_halves(const FieldCell& cell) {
   const FieldLink link = cell.link.load(std::memory_order_relaxed);
-  if (link.state() != State::halved) return;
+  if (!link.has_halves()) return;
   for (const FieldCell& half : link.halves().cells) delete_halves(half);
   delete &link.halves();
 }
@@ -130,7 +130,8 @@ FieldLink FunctionField::split(const FieldCell& cell, FieldLink link, std::size_
       examine(half, part, workspace);
     }
   }
-  const FieldLink halved(k, made.get());
+  const FieldLink halved(link.state() == State::smooth ? State::refined : State::vague, k,
+                         made.get());
   if (cell.link.compare_exchange_strong(link, halved, std::memory_order_acq_rel)) {
     made.release();
     for (const FieldDetail* d = &parent; d != nullptr && tighten(*d); d = d->parent) {
@@ -141,10 +142,12 @@ FieldLink FunctionField::split(const FieldCell& cell, FieldLink link, std::size_
 }
 
 /// Draws the bounds of a halved cell together by those of its halves. False if there was next to
-/// nothing to gain.
+/// nothing to gain, or nothing that could be of use to cells around it.
 bool FunctionField::tighten(const FieldDetail& detail) const {
   const FieldCell& cell = *detail.cell;
   const FieldLink link = cell.link.load(std::memory_order_acquire);
+  if (link.state() == State::refined)
+    return false;  // searches in it must not depend on who came first
   const auto value = static_cast<double>(cell.value);
   const dvec3 slope = to_dvec3(cell.slope);
   double above = -infinite;
@@ -171,6 +174,11 @@ bool FunctionField::tighten(const FieldDetail& detail) const {
   if (!(old_above - above + below - old_below > 0.01 * (old_above - old_below))) return false;
   cell.above.store(rounded_up(above), std::memory_order_relaxed);
   cell.below.store(-rounded_up(-below), std::memory_order_relaxed);
+  const Spread m = spread_over(value, slope, detail, centre());
+  if (m.hi <= above && m.lo >= below) return false;
+  if (link.state() == State::vague) {
+    cell.link.store({State::halved, link.axis(), &link.halves()}, std::memory_order_release);
+  }
   return true;
 }
 

@@ -24,8 +24,10 @@ namespace durer::tracer {
 struct FieldCell;
 struct FieldHalves;
 
-/// Greatest number of halvings above a cell: some hundred cells along each edge of the box.
+/// Greatest number of halvings above a cell: some hundred cells along each edge of the box …
 inline constexpr int field_depth = 22;
+/// … and above cells for lines that graze the surface.
+inline constexpr int grazing_depth = 24;
 
 /// What is needed of a cell only where the surface may be inside it.
 struct alignas(32) FieldDetail {
@@ -49,24 +51,28 @@ class FieldLink {
     smooth,   // on both sides perhaps; the slopes are known well
     rough,    // likewise, but they are not, and the cell is as small as cells get
     whole,    // likewise, and it will have halves when somebody comes by
-    halved,
+    halved,   // its linear bounds tell the sign for some lines …
+    vague,    // … or for none
+    refined,  // smooth, and halved for lines that graze the surface
   };
   FieldLink() = default;
   FieldLink(State state, int axis, const FieldDetail* detail)
       : word_(reinterpret_cast<std::uintptr_t>(detail) | static_cast<std::uintptr_t>(axis) << 3 |
               static_cast<std::uintptr_t>(state)) {}
-  FieldLink(int axis, const FieldHalves* halves)
+  FieldLink(State state, int axis, const FieldHalves* halves)
       : word_(reinterpret_cast<std::uintptr_t>(halves) | static_cast<std::uintptr_t>(axis) << 3 |
-              static_cast<std::uintptr_t>(State::halved)) {}
+              static_cast<std::uintptr_t>(state)) {}
 
   [[nodiscard]] State state() const { return static_cast<State>(word_ & 7); }
-  /// Whole or halved: across which axis.
+  [[nodiscard]] bool has_halves() const { return state() >= State::halved; }
+  /// Not for those that are known to be inside or outside: across which axis halves lie, if there
+  /// are any.
   [[nodiscard]] int axis() const { return static_cast<int>(word_ >> 3 & 3); }
   /// Smooth, rough or whole.
   [[nodiscard]] const FieldDetail& detail() const {
     return *reinterpret_cast<const FieldDetail*>(word_ & ~std::uintptr_t{31});
   }
-  /// Halved.
+  /// Where there are some.
   [[nodiscard]] const FieldHalves& halves() const {
     return *reinterpret_cast<const FieldHalves*>(word_ & ~std::uintptr_t{31});
   }
@@ -80,9 +86,9 @@ class FieldLink {
 struct FieldCell {
   float value = 0;
   std::array<float, 3> slope{};
-  /// Where m > above the point is outside, where m < below it is inside. A cell without halves has
-  /// above = -below = the greatest difference between m and the function. Both draw together when
-  /// more is known about the halves.
+  /// Where m > above the point is outside, where m < below it is inside. A cell without halves, or
+  /// a refined one, has above = -below = the greatest difference between m and the function.
+  /// Otherwise both draw together when more is known about the halves.
   mutable std::atomic<float> above{0};
   mutable std::atomic<float> below{0};
   mutable std::atomic<FieldLink> link{};
@@ -93,6 +99,9 @@ struct FieldHalves {
   alignas(64) std::array<FieldCell, 2> cells;
   double plane = 0;  // the coordinate between them
   std::array<FieldDetail, 2> details;
+
+  /// Of the cell that they are halves of.
+  [[nodiscard]] const FieldDetail& whole() const { return *details[0].parent; }
 };
 
 /// A function g(x, y, z) = f - threshold in a box. Cells depend on the function alone, not on who
@@ -114,8 +123,8 @@ class FunctionField {
   [[nodiscard]] const FieldCell& root() const { return root_; }
   [[nodiscard]] dvec3 centre() const { return (box_.lo + box_.hi) * 0.5; }
   [[nodiscard]] dvec3 half() const { return (box_.hi - box_.lo) * 0.5; }
-  /// Halves a whole cell; gives its link from then on. `next` is the half that is likely to be split
-  /// soon: it does not change the result.
+  /// Halves a whole or a smooth cell; gives its link from then on. `next` is the half that is
+  /// likely to be split soon: it does not change the result.
   FieldLink split(const FieldCell& cell, FieldLink link, std::size_t next) const;
 
   /// True if the function can be bounded over boxes at all.

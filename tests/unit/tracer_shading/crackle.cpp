@@ -98,5 +98,37 @@ TEST_CASE("nearest points: every instruction set gives the same bits",
     const Smallest3 narrow = smallest_distances(points, p, exponent, before, 0);
     CHECK(narrow == smallest_distances(points, p, exponent, before, 1));
     CHECK(std::is_sorted(narrow.begin(), narrow.end()));
+
+    functions::simd::FourPoints four;
+    for (dvec3& q : four) q = {uniform(random), uniform(random), uniform(random)};
+    const auto found = smallest_distances(points, four, exponent, 0);
+    CHECK(found == smallest_distances(points, four, exponent, 1));
+    for (std::size_t k = 0; k < four.size(); ++k) {
+      CHECK(found[k] == smallest_distances(points, four[k], exponent));
+    }
+  }
+}
+
+TEST_CASE("crackle: several points at a time have the values of each, bit for bit",
+          "[tracer][patterns][crackle]") {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-3, 3);
+  const double metric = GENERATE(1.0, 1.5, 2.0, 3.0);
+  const bool solid = GENERATE(false, true);
+  const std::vector<double> args{solid ? 1.0 : 0.0, -1, 1, 0.2, metric, metric, metric, 0.1};
+  PatternState state;
+  crackle().prepare(args, {}, state);
+  for (std::size_t count = 1; count < 12; ++count) {
+    std::vector<dvec3> points(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool beside = i % 5 != 0;
+      points[i] = beside ? points[i - 1] + 0.05 * dvec3(uniform(random), uniform(random), 0)
+                         : dvec3(uniform(random), uniform(random), uniform(random));
+    }
+    std::vector<double> values(count);
+    crackle().evaluate_all(state, points, values.data());
+    for (std::size_t i = 0; i < count; ++i) {
+      CHECK(values[i] == crackle().evaluate(state, points[i], nullptr));
+    }
   }
 }
