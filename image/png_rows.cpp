@@ -58,14 +58,16 @@ class Deflate {
   bool fine_ = false;
 };
 
-/// True if searching for repetitions would make it smaller by a tenth.
-bool repetitive(std::span<const unsigned char> part) {
-  const std::size_t size = std::min(part.size(), sample_size);
-  part = part.subspan((part.size() - size) / 2, size);
+/// True if searching for repetitions would make it smaller by a tenth than the `size` that it has
+/// without.
+bool repetitive(std::span<const unsigned char> part, std::size_t size) {
+  const std::size_t sampled = std::min(part.size(), sample_size);
+  const std::size_t expected = size * sampled / part.size();
+  part = part.subspan((part.size() - sampled) / 2, sampled);
+  if (repeated_bytes(part, expected) * 12 < static_cast<double>(expected)) return false;
   std::vector<unsigned char> searched, runs;
-  deflate_runs(part, true, runs);
-  if (repeated_bytes(part, runs.size()) * 12 < static_cast<double>(runs.size())) return false;
   Deflate(quick).run(part, true, searched);
+  deflate_runs(part, true, runs);
   return searched.size() * 10 < runs.size() * 9;
 }
 
@@ -104,9 +106,10 @@ void PngRows::compress(Stretch& stretch) const {
   const bool last = end == all.size();
   const auto part = all.subspan(begin, end - begin);
   stretch.checksum = checksum_of(part);
-  if (level_ < 0 && !repetitive(part)) {
+  if (level_ < 0) {
     deflate_runs(part, last, stretch.compressed);
-    return;
+    if (!repetitive(part, stretch.compressed.size())) return;
+    stretch.compressed.clear();
   }
   Deflate deflate(level_ < 0 ? careful : level_);
   if (begin > 0) {
