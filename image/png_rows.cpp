@@ -15,7 +15,8 @@ namespace durer::image {
 namespace {
 
 constexpr std::size_t stretch_size = 1 << 17;  // rows are compressed in pieces of about so much …
-constexpr std::size_t sample_size = 1 << 14;   // … after a look at so much of it
+constexpr std::size_t glimpse_size = 1 << 13;  // … after a quick look at so much of it
+constexpr std::size_t sample_size = 1 << 14;   // … and if need be a thorough one at so much
 constexpr std::size_t reach = 1 << 15;         // how far back zlib can look
 constexpr int careful = 6;                     // zlib's levels
 constexpr int quick = 4;
@@ -58,16 +59,21 @@ class Deflate {
   bool fine_ = false;
 };
 
+std::span<const unsigned char> middle(std::span<const unsigned char> part, std::size_t size) {
+  size = std::min(part.size(), size);
+  return part.subspan((part.size() - size) / 2, size);
+}
+
 /// True if searching for repetitions would make it smaller by a tenth than the `size` that it has
 /// without.
 bool repetitive(std::span<const unsigned char> part, std::size_t size) {
-  const std::size_t sampled = std::min(part.size(), sample_size);
-  const std::size_t expected = size * sampled / part.size();
-  part = part.subspan((part.size() - sampled) / 2, sampled);
-  if (repeated_bytes(part, expected) * 12 < static_cast<double>(expected)) return false;
+  const auto glimpse = middle(part, glimpse_size);
+  const std::size_t expected = size * glimpse.size() / part.size();
+  if (repeated_bytes(glimpse, expected) * 12 < static_cast<double>(expected)) return false;
+  const auto sample = middle(part, sample_size);
   std::vector<unsigned char> searched, runs;
-  Deflate(quick).run(part, true, searched);
-  deflate_runs(part, true, runs);
+  Deflate(quick).run(sample, true, searched);
+  deflate_runs(sample, true, runs);
   return searched.size() * 10 < runs.size() * 9;
 }
 
