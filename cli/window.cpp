@@ -33,6 +33,7 @@ std::optional<Window> window_of(const Settings& s, std::string& problem) {
 void blacken_outside(image::Image& image, const Window& w) {
   for (int y = 0; y < image.height; ++y) {
     const bool row_inside = y >= w.first_row && y < w.end_row;
+    if (row_inside && w.first_column <= 0 && w.end_column >= image.width) continue;
     for (int x = 0; x < image.width; ++x) {
       if (row_inside && x >= w.first_column && x < w.end_column) continue;
       const auto pixel = image.at(x, y);

@@ -1,50 +1,12 @@
 #include "image/codes.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 
 #include "base/colour.h"
+#include "image/code_table.h"
 
 namespace durer::image {
-
-/// Eight-bit codes without the curve: for each, the smallest number that gets it. The curve rises,
-/// so these are found by halving, and what is looked up is what would be computed.
-class CodeTable {
- public:
-  template <typename CodeOf>
-  explicit CodeTable(const CodeOf& code_of) {
-    for (unsigned code = 1; code < least_.size(); ++code) {
-      std::uint32_t lo = 0;
-      std::uint32_t hi = std::bit_cast<std::uint32_t>(1.0F);
-      while (lo < hi) {  // positive numbers are ordered as their bits are
-        const std::uint32_t middle = (lo + hi) / 2;
-        if (code_of(std::bit_cast<float>(middle)) >= code) hi = middle;
-        else lo = middle + 1;
-      }
-      least_[code] = std::bit_cast<float>(lo);
-    }
-    unsigned code = 0;
-    for (std::size_t i = 0; i < first_.size(); ++i) {
-      const float begin = static_cast<float>(i) / steps;
-      while (code + 1 < least_.size() && least_[code + 1] <= begin) ++code;
-      first_[i] = static_cast<std::uint8_t>(code);
-    }
-  }
-  [[nodiscard]] unsigned code_of(float v) const {
-    if (!(v > 0)) return 0;
-    if (v >= 1) return 255;
-    unsigned code = first_[static_cast<std::size_t>(v * steps)];
-    while (code < 255 && v >= least_[code + 1]) ++code;
-    return code;
-  }
-
- private:
-  static constexpr float steps = 4096;
-  std::array<float, 256> least_{};
-  std::array<std::uint8_t, 4097> first_{};
-};
 
 namespace {
 
@@ -110,18 +72,45 @@ Coder::Coder(const Image& image, const Encoding& encoding, Depth depth, bool alp
   if (dither_.idle() && depth.bits == 8 && image.pixels.size() > worth_a_table) {
     table_ = std::make_unique<const CodeTable>(
         [&](float v) { return rounded(stored(encoding, v), depth); });
+    if (!table_->exact()) table_.reset();
   }
 }
 
 Coder::~Coder() = default;
 
 void Coder::row(int y, std::span<std::uint16_t> out) {
+  each_code(y, [next = out.data()](unsigned code) mutable {
+    *next++ = static_cast<std::uint16_t>(code);
+  });
+}
+
+void Coder::row_bytes(int y, std::span<unsigned char> out) {
+  unsigned char* next = out.data();
+  if (depth_.sample_bits == 8) {
+    each_code(y, [next](unsigned code) mutable { *next++ = static_cast<unsigned char>(code); });
+  } else {
+    each_code(y, [next](unsigned code) mutable {
+      *next++ = static_cast<unsigned char>(code >> 8);
+      *next++ = static_cast<unsigned char>(code & 0xFF);
+    });
+  }
+}
+
+template <typename Put>
+void Coder::each_code(int y, Put put) {
+  if (table_ && colours_ == 3 && !alpha_) {
+    const CodeTable& table = *table_;
+    const float* pixel = image_->at(0, y).data();
+    for (int x = 0; x < image_->width; ++x, pixel += 4) {
+      for (int i = 0; i < 3; ++i) put(table.code_of(pixel[i]));
+    }
+    return;
+  }
   const auto to_file = [this](float v) { return stored(encoding_, v); };
   const auto to_working = [this](float v) { return working(encoding_, v); };
   const auto as_it_is = [](float v) { return v; };
-  std::uint16_t* next = out.data();
   for (int x = 0; x < image_->width; ++x) {
-    dither_.enter(x, y);
+    if (!dither_.idle()) dither_.enter(x, y);
     const auto pixel = image_->at(x, y);
     glm::vec3 c = rgb_of(pixel);
     const float luminance = grey(c);
@@ -129,10 +118,10 @@ void Coder::row(int y, std::span<std::uint16_t> out) {
     if (encoding_.greyscale) c = glm::vec3(luminance);
     if (alpha_) c /= a == 0 ? 1e-6F : a;
     for (int i = 0; i < colours_; ++i) {
-      *next++ = table_ ? static_cast<std::uint16_t>(table_->code_of(c[i]))
-                       : code_of(c[i], i, depth_, dither_, to_file, to_working);
+      put(table_ ? table_->code_of(c[i])
+                 : code_of(c[i], i, depth_, dither_, to_file, to_working));
     }
-    if (alpha_) *next++ = code_of(a, colours_, depth_, dither_, as_it_is, as_it_is);
+    if (alpha_) put(code_of(a, colours_, depth_, dither_, as_it_is, as_it_is));
   }
 }
 

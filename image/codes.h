@@ -29,7 +29,8 @@ struct Depth {
 
 class CodeTable;
 
-/// Codes of a picture, row by row from the top: errors of rounding may be handed down.
+/// Codes of a picture, row by row from the top if they are dithered: errors of rounding are handed
+/// down. Else in any order, and to several threads.
 class Coder {
  public:
   /// As to_codes(); `image` must stay.
@@ -40,8 +41,13 @@ class Coder {
   [[nodiscard]] int sample_bits() const { return depth_.sample_bits; }
   /// The codes of row `y`, of width times channels numbers.
   void row(int y, std::span<std::uint16_t> out);
+  /// The same as they stand in a file, the high byte of a code first.
+  void row_bytes(int y, std::span<unsigned char> out);
 
  private:
+  template <typename Put>
+  void each_code(int y, Put put);
+
   const Image* image_;
   Encoding encoding_;
   Depth depth_;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/gamma.h"
+#include "base/large_array.h"
 
 namespace durer::image {
 
@@ -17,7 +18,7 @@ namespace durer::image {
 struct Image {
   int width = 0;
   int height = 0;
-  std::vector<float> pixels;
+  LargeArray<float> pixels;
 
   Image() = default;
   Image(int w, int h) : width(w), height(h), pixels(static_cast<std::size_t>(w) * h * 4) {}

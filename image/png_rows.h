@@ -1,11 +1,13 @@
 // Rows of a PNG → the compressed stream of its IDAT chunks.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
+
+#include "base/large_array.h"
 
 namespace durer::image {
 
@@ -18,34 +20,30 @@ namespace durer::image {
 /// threads.
 class PngRows {
  public:
-  /// `row_bytes`: of each row. `pixel_bytes`: distance to the same sample of the next pixel.
-  /// `level`: 0…9 as zlib has it, or -1 for what suits the rows.
-  PngRows(std::size_t row_bytes, std::size_t pixel_bytes, int level);
+  /// `row_bytes`: of each of `count` rows. `pixel_bytes`: distance to the same sample of the next
+  /// pixel. `level`: 0…9 as zlib has it, or -1 for what suits the rows.
+  PngRows(std::size_t row_bytes, std::size_t pixel_bytes, std::size_t count, int level);
 
-  /// The next row, of `row_bytes`.
-  void add(std::span<const unsigned char> row);
-  /// The whole stream, after the last row; empty if memory ran out. `threads` work on it; 0:
-  /// one per processor.
-  [[nodiscard]] std::vector<unsigned char> finish(int threads);
+  /// Writes row `y`; asked by several threads, and for some rows twice.
+  using Source = std::function<void(std::size_t y, std::span<unsigned char> row)>;
+  /// The whole stream; empty if memory ran out. `threads` work on it; 0: one per processor.
+  [[nodiscard]] std::vector<unsigned char> stream(const Source& source, int threads);
 
  private:
   struct Stretch {
     std::size_t first_row, end_row;
-    std::vector<unsigned char> filtered;
     std::vector<unsigned char> compressed;
     std::uint32_t checksum;
     bool fine;
   };
-  [[nodiscard]] const unsigned char* row(std::size_t y) const;
-  void filter(Stretch& stretch) const;
-  void compress(const Stretch* before, Stretch& stretch, bool last) const;
+  void filter(const Stretch& stretch, const Source& source);
+  void compress(Stretch& stretch) const;
 
   std::size_t row_bytes_;
   std::size_t pixel_bytes_;
+  std::size_t count_;
   int level_;
-  std::size_t count_ = 0;
-  // A row of zeros, then the rows; `pixel_bytes` zeros before each stand for what lies left of it.
-  std::vector<unsigned char> rows_;
+  LargeArray<unsigned char> filtered_;  // with the number of the filter before each row
 };
 
 }  // namespace durer::image

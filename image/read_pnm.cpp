@@ -1,5 +1,7 @@
 #include "image/read_pnm.h"
 
+#include <algorithm>
+#include <array>
 #include <cctype>
 #include <optional>
 
@@ -26,21 +28,15 @@ std::optional<std::uint32_t> number(std::FILE* file) {
   return value;
 }
 
-/// Samples one after the other, as the kind of file has them.
+/// Samples that are written as text, or as bits, one after the other.
 class Samples {
  public:
-  Samples(std::FILE* file, char kind, std::uint32_t most, std::uint32_t width)
-      : file_(file), kind_(kind), wide_(most > 255), width_(width) {}
+  Samples(std::FILE* file, char kind, std::uint32_t width)
+      : file_(file), kind_(kind), width_(width) {}
 
   std::optional<std::uint32_t> next() {
     if (kind_ == '1') return bit_of_text();
-    if (kind_ == '4') return packed_bit();
-    if (kind_ < '4') return number(file_);
-    const int high = std::fgetc(file_);
-    if (!wide_) return high == EOF ? std::nullopt : std::optional(static_cast<std::uint32_t>(high));
-    const int low = std::fgetc(file_);
-    if (low == EOF) return std::nullopt;
-    return static_cast<std::uint32_t>(high << 8 | low);
+    return kind_ == '4' ? packed_bit() : number(file_);
   }
 
  private:
@@ -63,11 +59,41 @@ class Samples {
 
   std::FILE* file_;
   char kind_;
-  bool wide_;
   std::uint32_t width_;
   std::uint32_t column_ = 0;
   int byte_ = 0;
 };
+
+/// Appends `count` samples that are written as bytes, or as two of them; false if there are not so
+/// many.
+bool read_bytes(std::FILE* file, bool wide, std::size_t count, std::vector<std::uint16_t>& out) {
+  constexpr std::size_t likely = 1 << 23;  // a broken header may promise any number
+  out.reserve(std::min(count, likely));
+  std::array<unsigned char, 1 << 14> block;
+  const std::size_t size = wide ? 2 : 1;
+  while (count > 0) {
+    const std::size_t wanted = std::min(count, block.size() / size);
+    if (std::fread(block.data(), size, wanted, file) != wanted) return false;
+    const std::size_t before = out.size();
+    out.resize(before + wanted);
+    for (std::size_t i = 0; i < wanted; ++i) {
+      const int sample = wide ? block[2 * i] << 8 | block[2 * i + 1] : block[i];
+      out[before + i] = static_cast<std::uint16_t>(sample);
+    }
+    count -= wanted;
+  }
+  return true;
+}
+
+bool read_others(Samples samples, std::size_t count, std::uint32_t unit,
+                 std::vector<std::uint16_t>& out) {
+  for (; count > 0; --count) {
+    const auto value = samples.next();
+    if (!value) return false;
+    out.push_back(static_cast<std::uint16_t>(unit * *value));
+  }
+  return true;
+}
 
 }  // namespace
 
@@ -88,15 +114,17 @@ PictureRead read_pnm(std::FILE* file) {
   picture->channels = kind == '3' || kind == '6' ? 3 : 1;
   picture->bits = bits || *most == 255 ? 8 : *most == 65535 ? 16 : 32;
   const std::size_t count = std::size_t{*width} * *height * picture->channels;
-  Samples samples(file, kind, *most, *width);
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto value = samples.next();
-    if (!value) return {nullptr, "it ends too early"};
-    if (picture->is_real()) {
-      picture->samples.push_back(static_cast<float>(*value) / static_cast<float>(*most));
-    } else {
-      picture->codes.push_back(static_cast<std::uint16_t>(bits ? 255 * *value : *value));
-    }
+  const bool whole =
+      kind > '4' ? read_bytes(file, *most > 255, count, picture->codes)
+                 : read_others({file, kind, *width}, count, bits ? 255 : 1, picture->codes);
+  if (!whole) return {nullptr, "it ends too early"};
+  if (picture->is_real()) {
+    const auto share = [&](std::uint32_t code) {
+      return static_cast<float>(code) / static_cast<float>(*most);
+    };
+    picture->samples.reserve(count);
+    for (const std::uint16_t code : picture->codes) picture->samples.push_back(share(code));
+    picture->codes = {};
   }
   return {std::move(picture), {}};
 }

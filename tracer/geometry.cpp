@@ -27,9 +27,6 @@ std::size_t error_count(const Diagnostics& diagnostics) {
                     [](const Diagnostic& d) { return d.severity == Severity::error; }));
 }
 
-/// A copy by vectors, as rays are made: a processor waits where it reads across what it just wrote.
-Ray copied(const Ray& ray) { return {ray.o, ray.d}; }
-
 /// Fills in what a hit in shared contents knows of the spaces around them.
 void resolve_path(const std::vector<Placement>& placements, const PlacementPath& inner_first,
                   Hit& hit) {
@@ -119,8 +116,8 @@ GeometryScratchPtr Geometry::make_scratch() const {
 
 bool Geometry::closest(const Ray& ray, double t_from, double t_to, RayKind kind, Hit& hit,
                        GeometryScratch& scratch) const {
-  RayQuery query{copied(ray), t_from, t_to, mask_of(kind), {}, &state_->parts, &scratch.sweep, false, {}};
-  state_->world().accel->closest(query);
+  RayQuery query{ray, t_from, t_to, &state_->parts, &scratch.sweep, {}, {}, mask_of(kind), false};
+  state_->accel->closest(query);
   const Found& found = query.found;
   if (found.store == nullptr) return false;
   hit.t = query.t_to;
@@ -156,8 +153,8 @@ TextureBlend Geometry::cutaway_textures(const Hit& hit, bool from_inside) const 
 bool Geometry::occluded(const Ray& ray, double t_from, double t_to,
                         GeometryScratch& scratch) const {
   const double after = t_from * (1 + std::numeric_limits<double>::epsilon());
-  RayQuery query{copied(ray), after, t_to, blocks_light, {}, &state_->parts, &scratch.sweep, true, {}};
-  return state_->world().accel->any(query);
+  RayQuery query{ray, after, t_to, &state_->parts, &scratch.sweep, {}, {}, blocks_light, true};
+  return state_->accel->any(query);
 }
 
 namespace {
@@ -187,7 +184,7 @@ Geometry::Way Geometry::way_between(std::span<Caster> among, const Ray& ray, dou
     near[count++] = &c;
   }
   const double after = t_from * (1 + std::numeric_limits<double>::epsilon());
-  RayQuery query{ray, after, t_to, blocks_light, {}, &state_->parts, &scratch.sweep, true, {}};
+  RayQuery query{ray, after, t_to, &state_->parts, &scratch.sweep, {}, {}, blocks_light, true};
   for (std::size_t i = 0; i < count; ++i) {
     near[i]->targets->nearest(*near[i]->targets, near[i]->index, query);
     if (query.found.store != nullptr) return Way::blocked;
@@ -198,7 +195,7 @@ Geometry::Way Geometry::way_between(std::span<Caster> among, const Ray& ray, dou
 bool Geometry::occluded_by(std::span<Caster> among, const Ray& ray, double t_from, double t_to,
                            GeometryScratch& scratch) const {
   const double after = t_from * (1 + std::numeric_limits<double>::epsilon());
-  RayQuery query{copied(ray), after, t_to, blocks_light, {}, &state_->parts, &scratch.sweep, true, {}};
+  RayQuery query{ray, after, t_to, &state_->parts, &scratch.sweep, {}, {}, blocks_light, true};
   const dvec3 inverse = 1.0 / ray.d;
   for (Caster& c : among) {
     double enter = after;

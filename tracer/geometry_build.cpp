@@ -48,6 +48,7 @@ Geometry::State::State(Flat flat, Hierarchy hierarchy) {
   photon_targets = std::move(flat.photon_targets);
   flat = {};  // makes room for the hierarchies
   for (std::size_t i = 0; i < groups.size(); ++i) finish_group(*groups[i], contents[i], hierarchy);
+  accel = world().accel.get();
   update_masks();
 }
 

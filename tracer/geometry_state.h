@@ -76,6 +76,7 @@ struct Geometry::State {
   std::vector<Placement> placements;
   std::vector<std::unique_ptr<Group>> groups;  // those within others come first; the last: the world
   std::vector<PlacementTargets::Contents> contents;  // of the groups
+  const Accel* accel = nullptr;  // of the world
   mutable std::once_flag casters_found;
   mutable CasterIndex casters;  // of the world
   bool translucent_shadows = true;

@@ -41,12 +41,12 @@ void PlacementTargets::nearest_of(const Targets& targets, std::uint32_t index, R
   RayQuery inner{{inward.point(query.ray.o), d / scale},
                  query.t_from * scale,
                  query.t_to * scale,
-                 query.mask,
-                 {},
                  query.parts,
                  query.sweep,
-                 query.any,
-                 {}};
+                 {},
+                 {},
+                 query.mask,
+                 query.any};
   const Accel& accel = *(*self.contents_)[placement.group].accel;
   if (query.any) {
     accel.any(inner);

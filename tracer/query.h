@@ -33,12 +33,14 @@ struct RayQuery {
   const Ray& ray;  // not a copy: reading at once what was just written in smaller pieces takes long
   double t_from = 0;
   double t_to = 0;
-  std::uint8_t mask = 0;
-  Found found{};
   const Parts* parts = nullptr;
   SweepState* sweep = nullptr;
-  bool any = false;  // one hit is as good as any other
+  Found found{};
   PlacementPath path{};  // valid as far as `found` says
+  // Bytes stand last: where they are between larger things, these are cleared in pieces that overlap
+  // them, and reading takes long again.
+  std::uint8_t mask = 0;
+  bool any = false;  // one hit is as good as any other
 };
 
 /// True if these bounds (Parts::gates), or those of a gated leaf, let the ray through (csg/gate.cpp).

@@ -44,22 +44,19 @@ void write_header(png_structp png, png_infop info, const Image& image, const Cod
 std::vector<unsigned char> compressed(const Image& image, const Encoding& encoding, Coder& coder) {
   const std::size_t samples = static_cast<std::size_t>(image.width) * coder.channels();
   const std::size_t width = coder.sample_bits() / 8U;
-  PngRows rows(samples * width, coder.channels() * width, encoding.compression);
-  std::vector<std::uint16_t> codes(samples);
-  std::vector<unsigned char> bytes(samples * width);
-  for (int y = 0; y < image.height; ++y) {
-    coder.row(y, codes);
-    if (width == 1) {
-      std::copy(codes.begin(), codes.end(), bytes.begin());
-    } else {  // the high byte comes first
-      for (std::size_t i = 0; i < samples; ++i) {
-        bytes[2 * i] = static_cast<unsigned char>(codes[i] >> 8);
-        bytes[2 * i + 1] = static_cast<unsigned char>(codes[i] & 0xFF);
-      }
-    }
-    rows.add(bytes);
-  }
-  return rows.finish(encoding.threads);
+  const std::size_t size = samples * width;
+  PngRows rows(size, coder.channels() * width, image.height, encoding.compression);
+  const auto code = [&coder](std::size_t y, std::span<unsigned char> row) {
+    coder.row_bytes(static_cast<int>(y), row);
+  };
+  if (encoding.dither == Dither::none) return rows.stream(code, encoding.threads);
+  LargeArray<unsigned char> all(size * image.height);
+  const auto row_of_all = [&](std::size_t y) { return std::span(&all[size * y], size); };
+  for (int y = 0; y < image.height; ++y) code(y, row_of_all(y));
+  const auto copy = [&](std::size_t y, std::span<unsigned char> row) {
+    std::copy_n(row_of_all(y).begin(), size, row.begin());
+  };
+  return rows.stream(copy, encoding.threads);
 }
 
 /// False if libpng stopped with an error: it jumps back to here, so nothing in this function may
@@ -87,6 +84,8 @@ Encoded encode(const Image& image, const Encoding& encoding) {
   if (stream.empty()) return {.bytes = {}, .error = std::move(message)};
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, keep_message, nullptr);
   png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+  constexpr std::size_t around = 1 << 12;  // bytes of chunks, about
+  file.bytes.reserve(stream.size() + around);
   if (info != nullptr) png_set_write_fn(png, &file.bytes, append, nullptr);
   const bool whole = info != nullptr && run(png, info, image, coder, encoding, stream);
   png_destroy_write_struct(&png, &info);

@@ -134,10 +134,25 @@ class EmbreeAccel final : public Accel {
 
   void closest(RayQuery& query) const override {
     for (const Lone& lone : lone_) lone.targets->nearest(*lone.targets, lone.index, query);
+    if (!few_.empty()) return ask_few(query);
+    if (scene_ != nullptr) intersect(query);
+  }
+
+  bool any(RayQuery& query) const override {
+    for (const Lone& lone : lone_) {
+      lone.targets->nearest(*lone.targets, lone.index, query);
+      if (query.found.store != nullptr) return true;
+    }
     if (!few_.empty()) {
       ask_few(query);
-      return;
+      return query.found.store != nullptr;
     }
+    return scene_ != nullptr && occlude(query);
+  }
+
+ private:
+  // These two need much room on the stack, which is not to be made for scenes without them.
+  [[gnu::noinline]] void intersect(RayQuery& query) const {
     Travelling context;
     RTCRayHit rayhit;
     if (!prepare(query, context, rayhit.ray)) return;
@@ -153,15 +168,7 @@ class EmbreeAccel final : public Accel {
 #endif
   }
 
-  bool any(RayQuery& query) const override {
-    for (const Lone& lone : lone_) {
-      lone.targets->nearest(*lone.targets, lone.index, query);
-      if (query.found.store != nullptr) return true;
-    }
-    if (!few_.empty()) {
-      ask_few(query);
-      return query.found.store != nullptr;
-    }
+  [[gnu::noinline]] bool occlude(RayQuery& query) const {
     Travelling context;
     RTCRay ray;
     if (!prepare(query, context, ray)) return false;
@@ -176,7 +183,6 @@ class EmbreeAccel final : public Accel {
     return query.found.store != nullptr;
   }
 
- private:
   static constexpr std::size_t few_objects = 4;
 
   struct Lone {
@@ -281,10 +287,7 @@ class EmbreeAccel final : public Accel {
   bool prepare(RayQuery& query, Travelling& context, RTCRay& ray) const {
     double t_from = query.t_from;
     double t_to = query.t_to;
-    if (region_.box.empty() ||
-        !BoxTree::clip(region_.box, query.ray.o, 1.0 / query.ray.d, t_from, t_to)) {
-      return false;
-    }
+    if (!BoxTree::clip(region_.box, query.ray.o, 1.0 / query.ray.d, t_from, t_to)) return false;
     init_context(context);
     context.query = &query;
     context.t_start = t_from;

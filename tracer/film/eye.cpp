@@ -1,5 +1,7 @@
 #include "tracer/film/eye.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
@@ -20,6 +22,14 @@ std::uint32_t seed(double x, double y, std::uint32_t index) {
   return mixed(h);
 }
 
+/// False if it is all the same to light whether it is in a body or in the air.
+bool are_bodies_felt(const CompiledScene& s) {
+  if (!s.media.empty() || !s.atmosphere.empty()) return true;
+  return std::any_of(s.interiors.begin(), s.interiors.end(), [](const Interior& i) {
+    return i.ior != 1 || i.dispersion != 1 || fades(i);
+  });
+}
+
 }  // namespace
 
 Viewpoint::Viewpoint(const CompiledScene& s, const RenderOptions& o)
@@ -28,6 +38,7 @@ Viewpoint::Viewpoint(const CompiledScene& s, const RenderOptions& o)
   if (c.normal->pattern->exists()) bump = bumps.add(*c.normal, {});
   const bool flat = c.kind == scene::Camera::Kind::perspective;
   one_origin = camera.type->one_origin && !(flat && lens.blurs());
+  bodies_matter = are_bodies_felt(s);
   if (lens.blurs()) {
     lens_right = glm::normalize(glm::cross(c.up, c.direction));
     lens_up = glm::normalize(glm::cross(c.direction, lens_right));
@@ -37,6 +48,7 @@ Viewpoint::Viewpoint(const CompiledScene& s, const RenderOptions& o)
     turns = c.mesh->rays;
     if (c.mesh->reach > 0) reach = c.mesh->reach;
   }
+  direct = turns == 1 && !lens.blurs();
 }
 
 Eye::Eye(const Viewpoint& view)
@@ -53,7 +65,14 @@ void Eye::begin(const IrradianceCache* cache, std::uint32_t seed) {
   scratch_.radiosity.begin(cache, true, seed, static_cast<std::uint32_t>(r->directions.size()));
 }
 
-Pixel Eye::see(double x, double y, std::uint32_t index) {
+// What nearly every sample goes through.
+Pixel Eye::see_directly(double x, double y, std::uint32_t index) {
+  CameraRay ray;
+  if (!camera_ray(x, y, 0, ray)) return nothing;
+  return look_along(ray, x, y, index);
+}
+
+Pixel Eye::see_all(double x, double y, std::uint32_t index) {
   if (!view_->lens.blurs()) return plain(x, y, index);
   return view_->lens.blur(
       [&](int n) { return through_lens(view_->lens.moved(x, y, n), {x, y}, index, n); });
@@ -78,10 +97,8 @@ bool Eye::camera_ray(double x, double y, int turn, CameraRay& out) {
 
 /// The mean over the rays that there are.
 Pixel Eye::plain(double x, double y, std::uint32_t index) {
+  if (view_->turns == 1) return see_directly(x, y, index);
   CameraRay ray;
-  if (view_->turns == 1) {
-    return camera_ray(x, y, 0, ray) ? look_along(ray, x, y, index) : nothing;
-  }
   Pixel sum(0.0F);
   int seen = 0;
   for (int turn = 0; turn < view_->turns; ++turn) {
@@ -107,7 +124,7 @@ Pixel Eye::through_lens(dvec2 at, dvec2 pixel, std::uint32_t index, int sample) 
 Pixel Eye::look_along(const CameraRay& ray, double x, double y, std::uint32_t index) {
   scratch_.noise = seed(x, y, index);
   Path path;
-  path.ray = {ray.ray.o, glm::normalize(ray.ray.d)};
+  path.ray = {ray.ray.o, unit(ray.ray.d)};
   if (view_->bump != scene::none) {
     const dvec3 place(ray.plane.x, ray.plane.y, 0);
     path.ray.d = glm::normalize(view_->bumps.at(view_->bump, place, path.ray.d, nullptr));
@@ -115,12 +132,24 @@ Pixel Eye::look_along(const CameraRay& ray, double x, double y, std::uint32_t in
   path.reach = view_->reach;
   if (view_->one_origin) {
     path.inside = view_->scene->around_camera;
-  } else {
+  } else if (view_->bodies_matter) {
     find_around(path.ray.o, path.inside);
   }
   const auto pixel = [](const Radiance& r) { return Pixel(r.colour, r.transmittance); };
   if (view_->scene->quality.path) return pixel(paths_.trace(path, random_));
   return pixel(tracer_.trace(std::move(path)));
+}
+
+/// Parallel rays follow each other, and a root and a division are what their pixels wait for.
+dvec3 Eye::unit(const dvec3& d) {
+  const auto differ = [](double a, double b) {  // also 0 and -0
+    return std::bit_cast<std::uint64_t>(a) ^ std::bit_cast<std::uint64_t>(b);
+  };
+  if ((differ(d.x, last_d_.x) | differ(d.y, last_d_.y) | differ(d.z, last_d_.z)) != 0) {
+    last_d_ = d;
+    last_unit_ = glm::normalize(d);
+  }
+  return last_unit_;
 }
 
 /// Adds the bodies that hold `p`.

@@ -20,10 +20,12 @@ struct Viewpoint {
   NormalStore bumps;  // of the camera
   NormalId bump = scene::none;
   bool one_origin = true;  // all rays start where the camera is
+  bool bodies_matter = true;  // to what is seen: those that hold the place where a ray starts
   dvec3 lens_right{0.0};   // unit: axes of the lens …
   dvec3 lens_up{0.0};
   double lens_scale = 1;  // … and from the camera's directions to places that are in focus
   int turns = 1;           // rays per sample
+  bool direct = true;      // one ray per sample, and through a pinhole
   double reach = no_hit_depth;
   const PhotonMaps* photons = nullptr;  // once they are shot
 };
@@ -35,7 +37,9 @@ class Eye {
 
   /// The picture at (x, y), in pixels: whole numbers are centres. `index` tells the samples of a
   /// pixel apart.
-  [[nodiscard]] Pixel see(double x, double y, std::uint32_t index);
+  [[nodiscard]] Pixel see(double x, double y, std::uint32_t index) {
+    return view_->direct ? see_directly(x, y, index) : see_all(x, y, index);
+  }
 
   /// One random path from somewhere in the pixel, and through somewhere of the lens.
   [[nodiscard]] Pixel sample(int x, int y, std::uint32_t index);
@@ -49,11 +53,14 @@ class Eye {
   [[nodiscard]] std::uint64_t rays() const { return scratch_.rays; }
 
  private:
+  [[nodiscard]] Pixel see_directly(double x, double y, std::uint32_t index);
+  [[nodiscard]] Pixel see_all(double x, double y, std::uint32_t index);
   [[nodiscard]] bool camera_ray(double x, double y, int turn, CameraRay& out);
   Pixel plain(double x, double y, std::uint32_t index);
   [[nodiscard]] Pixel through_lens(dvec2 at, dvec2 pixel, std::uint32_t index, int sample);
   [[nodiscard]] Pixel look_along(const CameraRay& ray, double x, double y, std::uint32_t index);
   void find_around(const dvec3& p, Containment& inside);
+  [[nodiscard]] dvec3 unit(const dvec3& d);
 
   const Viewpoint* view_;
   Scratch scratch_;
@@ -61,6 +68,8 @@ class Eye {
   PathTracer paths_;
   SobolSampler random_;
   functions::Workspace workspace_;
+  dvec3 last_d_{0.0};  // the camera's direction of the last ray …
+  dvec3 last_unit_{0.0};  // … and the same with unit length
 };
 
 }  // namespace durer::tracer

@@ -31,6 +31,7 @@ struct Plane {
 struct Plane::HalfSpace {
   dvec3 n;  // unit
   double distance = 0;
+  dvec3 unit_normal = glm::normalize(n);  // as normal() is rounded for all other shapes
 
   static constexpr bool convex = true;
   static constexpr double far = t_far;

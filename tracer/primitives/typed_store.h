@@ -19,6 +19,7 @@
 //   bool misses(const ShaftHull&) const;                  certainly outside of it, see Targets::misses
 //   static constexpr bool convex = true;
 //   static constexpr double far = …;                      greatest depth at which it is seen
+//   dvec3 unit_normal;                                    if it is the same everywhere
 #pragma once
 
 #include <algorithm>
@@ -80,6 +81,11 @@ struct Baked {
   [[nodiscard]] const Ray& to_object(const Ray& ray) const { return ray; }
   [[nodiscard]] dvec3 to_object(dvec3 p) const { return p; }
   [[nodiscard]] dvec3 normal_to_world(dvec3 n) const { return n; }
+  [[nodiscard]] dvec3 unit_normal() const
+    requires requires { shape.unit_normal; }
+  {
+    return shape.unit_normal;
+  }
   [[nodiscard]] Bounds3 to_world(const Bounds3& b) const { return b; }
   [[nodiscard]] std::pair<Affine, Affine> maps() const { return {}; }
   [[nodiscard]] bool misses(const ShaftHull& hull) const {
@@ -166,6 +172,7 @@ class TypedStore final : public Store {
   }
   [[nodiscard]] dvec3 normal(std::uint32_t index, dvec3 p, std::uint32_t part) const override {
     const Item& item = items_[index];
+    if constexpr (requires { item.unit_normal(); }) return item.unit_normal();
     return glm::normalize(item.normal_to_world(item.shape.normal(item.to_object(p), part)));
   }
   [[nodiscard]] dvec2 uv(std::uint32_t index, dvec3 p, std::uint32_t part) const override {
@@ -222,9 +229,17 @@ class TypedStore final : public Store {
     if (!hit) return;
     const Tag& tag = self.tags[index];
     if ((tag.mask & query.mask) == 0) return;
-    if (tag.gated && !gates_open(tag.leaf, query)) return;
+    if (tag.gated) return take_if_open(self, index, *hit, query);
     query.t_to = hit->t;
     query.found = {&self, index, tag.leaf, hit->part};
+  }
+  /// A function of its own, for what it keeps over the call would be saved by every object.
+  [[gnu::noinline]] static void take_if_open(const TypedStore& self, std::uint32_t index,
+                                             Nearest hit, RayQuery& query) {
+    const std::uint32_t leaf = self.tags[index].leaf;
+    if (!gates_open(leaf, query)) return;
+    query.t_to = hit.t;
+    query.found = {&self, index, leaf, hit.part};
   }
 
   static std::optional<Nearest> ask(const Item& item, const RayQuery& query, double t_to) {

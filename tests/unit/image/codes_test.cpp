@@ -150,4 +150,27 @@ TEST_CASE("codes: the preview is sRGB whatever the file's curve is", "[image][co
   CHECK(display_rgb(image, 0, 0, off) == 0x3380CC);
 }
 
+TEST_CASE("codes: looking up gives what computing does, for every curve", "[image][codes]") {
+  const GammaCurve curves[] = {{}, GammaCurve::srgb(), GammaCurve::power(2.2F),
+                               GammaCurve::power(0.45F)};
+  const Encoding e = encoding_for(curves[GENERATE(0, 1, 2, 3)], curves[GENERATE(0, 1, 2, 3)]);
+  constexpr int width = 20'000;
+  Image large(width, 1);
+  Image small(1, 1);
+  for (int x = 0; x < width; ++x) {
+    const float v = static_cast<float>(x - 50) / (width - 100.0F);
+    large.at(x, 0)[0] = v;
+    large.at(x, 0)[1] = v * v * v;
+    large.at(x, 0)[2] = x == 9 ? std::numeric_limits<float>::quiet_NaN() : 1 / v;
+  }
+  const Codes looked_up = to_codes(large, e, {}, false);
+  int wrong = 0;
+  for (int x = 0; x < width; ++x) {
+    std::copy_n(large.at(x, 0).begin(), 4, small.at(0, 0).begin());
+    const Codes computed = to_codes(small, e, {}, false);
+    if (!std::equal(computed.values.begin(), computed.values.end(), &looked_up.values[3 * x])) ++wrong;
+  }
+  CHECK(wrong == 0);
+}
+
 }  // namespace durer::image
