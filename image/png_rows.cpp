@@ -9,13 +9,13 @@
 
 #include "image/png_filters.h"
 #include "image/repetition.h"
-#include "image/run_deflate.h"
 
 namespace durer::image {
 namespace {
 
 constexpr std::size_t stretch_size = 1 << 17;  // rows are compressed in pieces of about so much …
-constexpr std::size_t sample_size = 1 << 14;   // … after a look at so much of it
+constexpr std::size_t glimpse_size = 1 << 13;  // … after a quick look at so much of it
+constexpr std::size_t sample_size = 1 << 14;   // … and if need be a thorough one at so much
 constexpr std::size_t reach = 1 << 15;         // how far back zlib can look
 constexpr int careful = 6;                     // zlib's levels
 constexpr int quick = 4;
@@ -23,10 +23,10 @@ constexpr int quick = 4;
 /// A zlib stream without header and checksum.
 class Deflate {
  public:
-  explicit Deflate(int level) {
+  explicit Deflate(int level, int strategy = Z_FILTERED) {
     constexpr int raw = -15;  // of the largest window
     constexpr int memory = 8;
-    fine_ = deflateInit2(&stream_, level, Z_DEFLATED, raw, memory, Z_FILTERED) == Z_OK;
+    fine_ = deflateInit2(&stream_, level, Z_DEFLATED, raw, memory, strategy) == Z_OK;
   }
   ~Deflate() { deflateEnd(&stream_); }
   Deflate(const Deflate&) = delete;
@@ -58,14 +58,21 @@ class Deflate {
   bool fine_ = false;
 };
 
-/// True if searching for repetitions would make it smaller by a tenth.
-bool repetitive(std::span<const unsigned char> part) {
-  const std::size_t size = std::min(part.size(), sample_size);
-  part = part.subspan((part.size() - size) / 2, size);
+std::span<const unsigned char> middle(std::span<const unsigned char> part, std::size_t size) {
+  size = std::min(part.size(), size);
+  return part.subspan((part.size() - size) / 2, size);
+}
+
+/// True if searching for repetitions would make it smaller by a tenth than the `size` that it has
+/// without.
+bool repetitive(std::span<const unsigned char> part, std::size_t size) {
+  const auto glimpse = middle(part, glimpse_size);
+  const std::size_t expected = size * glimpse.size() / part.size();
+  if (repeated_bytes(glimpse, expected) * 12 < static_cast<double>(expected)) return false;
+  const auto sample = middle(part, sample_size);
   std::vector<unsigned char> searched, runs;
-  deflate_runs(part, true, runs);
-  if (repeated_bytes(part, runs.size()) * 12 < static_cast<double>(runs.size())) return false;
-  Deflate(quick).run(part, true, searched);
+  Deflate(quick).run(sample, true, searched);
+  Deflate(quick, Z_RLE).run(sample, true, runs);
   return searched.size() * 10 < runs.size() * 9;
 }
 
@@ -104,9 +111,12 @@ void PngRows::compress(Stretch& stretch) const {
   const bool last = end == all.size();
   const auto part = all.subspan(begin, end - begin);
   stretch.checksum = checksum_of(part);
-  if (level_ < 0 && !repetitive(part)) {
-    deflate_runs(part, last, stretch.compressed);
-    return;
+  if (level_ < 0) {
+    Deflate runs(quick, Z_RLE);
+    runs.run(part, last, stretch.compressed);
+    stretch.fine = runs.fine();
+    if (!stretch.fine || !repetitive(part, stretch.compressed.size())) return;
+    stretch.compressed.clear();
   }
   Deflate deflate(level_ < 0 ? careful : level_);
   if (begin > 0) {

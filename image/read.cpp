@@ -9,6 +9,7 @@
 
 #include "image/oiio_file.h"
 #include "image/read_gif.h"
+#include "image/read_iff.h"
 #include "image/read_palette.h"
 #include "image/read_png.h"
 #include "image/read_pnm.h"
@@ -41,6 +42,10 @@ PictureRead read(const std::string& path, const std::string& kind) {
   if (got >= 6 && std::memcmp(magic.data(), "GIF8", 4) == 0) {
     std::rewind(file.get());
     return read_gif(file.get());
+  }
+  if (got >= 4 && std::memcmp(magic.data(), "FORM", 4) == 0) {
+    std::rewind(file.get());
+    return read_iff(file.get());
   }
   if (got >= 2 && magic[0] == 'P' && magic[1] >= '1' && magic[1] <= '6') {
     std::rewind(file.get());

@@ -67,6 +67,8 @@ class Samples {
 /// Appends `count` samples that are written as bytes, or as two of them; false if there are not so
 /// many.
 bool read_bytes(std::FILE* file, bool wide, std::size_t count, std::vector<std::uint16_t>& out) {
+  constexpr std::size_t likely = 1 << 23;  // a broken header may promise any number
+  out.reserve(std::min(count, likely));
   std::array<unsigned char, 1 << 14> block;
   const std::size_t size = wide ? 2 : 1;
   while (count > 0) {

@@ -34,6 +34,12 @@ def difference(a: Picture, b: Picture, gain: int = 8) -> Picture:
     return Picture(a.width, a.height, rgb)
 
 
+def part(p: Picture, x: int, y: int, width: int, height: int) -> Picture:
+    """What a picture shows in a window of it."""
+    rows = (3 * (row * p.width + x) for row in range(y, y + height))
+    return Picture(width, height, b"".join(p.rgb[start : start + 3 * width] for start in rows))
+
+
 def text(decibels: float) -> str:
     """A PSNR for tables: `inf` or one decimal."""
     return "inf" if math.isinf(decibels) else f"{decibels:.1f}"

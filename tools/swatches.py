@@ -2,7 +2,8 @@
 """Swatches: every colour, texture, finish, pigment, map, material, sky and object of the library, in a grid.
 
     tools/swatches.py compare [INCLUDE...]   durer with our includes and with POV-Ray's: the pictures must be equal
-    tools/swatches.py oracle [INCLUDE...]    POV-Ray with its includes beside durer with ours: how alike they are
+    tools/swatches.py oracle [--no-grain] [INCLUDE...]  POV-Ray with its includes beside durer with ours: how alike they
+                                             are. Without grain, `crand` is 0 in copies of the includes: it is noise
     tools/swatches.py draw FOLDER [INCLUDE...]  the sheets of our includes, as JPEG, with their names in index.json
 
 A sheet has eight swatches in a row, in the order of the include; what is drawn has names under them,
@@ -19,6 +20,7 @@ import tempfile
 from pathlib import Path
 
 import pictures
+import png
 import programs
 import stdlib
 import stdlib_text as text
@@ -142,10 +144,15 @@ def scenes(of: dict[str, list[tuple[str, str]]], wanted: tuple[str, ...] | list[
     return found
 
 
-def render(source: str, size: tuple[int, float], pixels: int, with_oracle: bool = False, library: str = "") -> programs.Rendering:
+def render(source: str, size: tuple[int, float], pixels: int, with_oracle: bool = False, library: str = "",
+           grainless: Path | None = None) -> programs.Rendering:
+    """Renders a sheet; with copies of the includes from a folder in which nothing has grain, if there is one."""
     with tempfile.TemporaryDirectory(prefix="durer-") as folder:
         scene = Path(folder) / "swatches.pov"
         scene.write_text(source, "utf-8")
+        for include in grainless.glob("*.inc") if grainless else []:  # beside the scene, they come first
+            text = include.read_bytes().decode("latin-1")
+            (Path(folder) / include.name).write_bytes(re.sub(r"\bcrand\s+[\d.]+", "crand 0", text).encode("latin-1"))
         options = [f"+W{size[0] * pixels}", f"+H{round(size[1] * pixels)}", "-D", "-A"]
         if with_oracle:
             return programs.render_with_oracle(scene, [*options, "+WT1"], LIMIT)
@@ -162,19 +169,35 @@ def picture(source: str, size: tuple[int, float], target: Path) -> str:
     return "" if done.code == 0 and target.exists() else programs.first_error(done.err)
 
 
-def compare(wanted: list[str], with_oracle: bool) -> int:
+def not_exact(names: list[tuple[str, str]], ours: png.Picture, other: png.Picture) -> str:
+    """How many swatches of a sheet are exact, and how alike the others are."""
+    size = ours.width // COLUMNS
+    shown = [name for name, kind in names if kind != "sky_sphere"]
+    alike = {}
+    for k, name in enumerate(shown):
+        window = (k % COLUMNS * size, k // COLUMNS * size, size, size)
+        alike[name] = pictures.psnr(pictures.part(ours, *window), pictures.part(other, *window))
+    others = {name: decibels for name, decibels in alike.items() if pictures.class_of(decibels) != "exact"}
+    told = ", ".join(f"{name} {pictures.text(others[name])}" for name in sorted(others, key=others.__getitem__))
+    return f"{len(shown) - len(others):4} of {len(shown)} exact" + (f", and {told}" if told else "")
+
+
+def compare(wanted: list[str], with_oracle: bool, without_grain: bool = False) -> int:
     differ = 0
-    todo = scenes(listed(), wanted)
+    known = listed()
+    todo = scenes(known, wanted)
+    pixels = PIXELS if with_oracle else 24
     for title, (source, columns, rows) in todo.items():
-        ours = render(source, (columns, rows), 24)
-        other = render(source, (columns, rows), 24, with_oracle, str(programs.INCLUDES))
+        ours = render(source, (columns, rows), pixels, grainless=stdlib.LIBRARY if without_grain else None)
+        other = render(source, (columns, rows), pixels, with_oracle, str(programs.INCLUDES), programs.INCLUDES if without_grain else None)
         if ours.picture is None or other.picture is None:
             differ += 1
             print(f"{title:24} ours: {ours.error or 'renders'}; theirs: {other.error or 'renders'}", flush=True)
             continue
         decibels = pictures.psnr(ours.picture, other.picture)
         differ += decibels < (38 if with_oracle else float("inf"))
-        print(f"{title:24} {pictures.text(decibels)}", flush=True)
+        detail = not_exact(known[title], ours.picture, other.picture) if with_oracle and title in known else ""
+        print(f"{title:24} {pictures.text(decibels)}{detail}", flush=True)
     print(f"{len(todo)} sheets, {differ} differ")
     return 1 if differ else 0
 
@@ -206,7 +229,8 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("action", choices=["compare", "oracle", "draw"])
     parser.add_argument("what", nargs="*", help="the folder to draw into, if it is draw; includes")
-    args = parser.parse_args()
+    parser.add_argument("--no-grain", action="store_true", help="beside POV-Ray: without `crand`")
+    args = parser.parse_intermixed_args()
     if args.action == "draw":
         if not args.what:
             parser.error("draw needs a folder")
@@ -214,7 +238,7 @@ def main() -> int:
     if not programs.INCLUDES.exists() or (args.action == "oracle" and not programs.oracle_path()):
         print(f"swatches: POV-Ray's includes are not there; {programs.HOW_TO_INSTALL_ORACLE}", file=sys.stderr)
         return programs.SKIPPED
-    return compare(args.what, args.action == "oracle")
+    return compare(args.what, args.action == "oracle", args.no_grain)
 
 
 if __name__ == "__main__":

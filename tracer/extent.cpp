@@ -44,38 +44,39 @@ class Measure {
  public:
   explicit Measure(const scene::Scene& scene) : scene_(scene) {}
 
-  /// In the space around the object, once it is moved by `around`.
-  Bounds3 box(ObjectId id, const Transform& around, bool inverted = false) {
+  /// In the space around the object, once it is moved by `around`. The same for its inverse.
+  Bounds3 box(ObjectId id, const Transform& around) {
     const Object& o = scene_.objects[id];
-    const bool flipped = inverted != o.inverse;
     const Transform inner = o.transform.then(around);
     Bounds3 b;
     switch (o.kind) {
       case NodeKind::primitive: b = primitive(o, inner); break;
       case NodeKind::light:
-        if (!o.children.empty()) return box(o.children[0], inner, inverted);
+        if (!o.children.empty()) return box(o.children[0], inner);
         b = Bounds3::everything();
         break;
       case NodeKind::unsupported: b = Bounds3::everything(); break;
       case NodeKind::light_group:
       case NodeKind::union_:
       case NodeKind::merge:
-        b = flipped ? intersection(o, flipped) : sum(o, flipped);
+        b = sum(o);
         b = stored(b.transformed(inner.forward));
         break;
       case NodeKind::intersection:
       case NodeKind::difference:
-        b = flipped ? sum(o, flipped) : intersection(o, flipped);
+        b = intersection(o);
         b = stored(b.transformed(inner.forward));
         break;
     }
-    if (const auto smaller = cut(b, o.extras->bounds, o.extras->bound_transform.then(around))) b = *smaller;
+    if (const auto smaller = cut(b, o.extras->bounds, o.extras->bound_transform.then(around)))
+      b = *smaller;
     return cut(b, o.extras->clips, o.extras->clip_transform.then(around)).value_or(b);
   }
 
   std::optional<Bounds3> bounding_box(ObjectId id, const Transform& around) {
     const Object& o = scene_.objects[id];
-    return cut(primitive(o, o.transform.then(around)), o.extras->bounds, o.extras->bound_transform.then(around));
+    return cut(primitive(o, o.transform.then(around)), o.extras->bounds,
+               o.extras->bound_transform.then(around));
   }
 
  private:
@@ -94,26 +95,23 @@ class Measure {
     return b->infinite() ? Bounds3::everything() : stored(*b);
   }
 
-  Bounds3 sum(const Object& o, bool inverted) {
+  Bounds3 sum(const Object& o) {
     Bounds3 b;
-    for (std::size_t i = 0; i < o.children.size(); ++i) {
-      const bool subtracted = o.kind == NodeKind::difference && i > 0;
-      b.add(box(o.children[i], {}, inverted != subtracted));
-    }
+    for (const ObjectId child : o.children) b.add(box(child, {}));
     return b.empty() ? Bounds3::everything() : stored(b);
   }
 
   // Inverted operands bound nothing, except that planes along an axis bound one side either way.
-  Bounds3 intersection(const Object& o, bool inverted) {
+  Bounds3 intersection(const Object& o) {
     Bounds3 b{dvec3(-no_hit_depth), dvec3(no_hit_depth)};
     for (std::size_t i = 0; i < o.children.size(); ++i) {
       const Object& child = scene_.objects[o.children[i]];
       const bool subtracted = o.kind == NodeKind::difference && i > 0;
-      const bool turned = inverted != subtracted;
+      const bool inverted = subtracted != child.inverse;
       if (child.kind == NodeKind::primitive) {
-        b = b.intersection(half_space_or_box(child, o.children[i], turned));
-      } else if (turned == child.inverse) {
-        b = b.intersection(box(o.children[i], {}, turned));
+        b = b.intersection(half_space_or_box(child, o.children[i], inverted));
+      } else if (!inverted) {
+        b = b.intersection(box(o.children[i], {}));
       }
     }
     const dvec3 edges = b.hi - b.lo;
@@ -123,15 +121,14 @@ class Measure {
     return stored(b);
   }
 
-  Bounds3 half_space_or_box(const Object& child, ObjectId id, bool turned) {
-    const bool inverted = turned != child.inverse;
-    if (own_box(*child.extras)) return inverted ? Bounds3::everything() : box(id, {}, turned);
+  Bounds3 half_space_or_box(const Object& child, ObjectId id, bool inverted) {
+    if (own_box(*child.extras)) return inverted ? Bounds3::everything() : box(id, {});
     const PrimitiveType& type = *primitive_types()[child.type];
     TypeStores stores = type.make_stores();
     const auto ref = place_object(type, stores, child, {}, child.transform, inverted);
     if (!ref || ref->inverted) return Bounds3::everything();
     const Bounds3 own = ref->store->surface_bounds(ref->shape);
-    return own.infinite() ? own : box(id, {}, turned);
+    return own.infinite() ? own : box(id, {});
   }
 
   /// The common box of bounds or clips, if it is smaller than the object's own and replaces it.

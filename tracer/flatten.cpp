@@ -46,6 +46,7 @@ struct Context {
   bool keeps_bare = false;     // … and the parent leaves its children without a texture
   bool filtered = false;       // inside a solid or clip, which decides what of it is seen
   bool received_by_uv = false;  // what shared contents receive from outside lies on the surface
+  BoxedObject boxed;            // the outermost union around that is not split, if there is one
 
   friend bool operator==(const Context&, const Context&) = default;
 };
@@ -102,6 +103,7 @@ class Flattener {
         diagnostics_(diagnostics),
         sharing_(scene, limits),
         surfaces_(flat_.surfaces) {
+    flat_.scene = &scene;
     flat_.noise_generator = scene.settings.resolved_noise_generator();
   }
 
@@ -115,6 +117,7 @@ class Flattener {
     alone.to_world = to_world;
     alone.flags_count = false;
     add_root({object, none}, alone);
+    flat_.scene = nullptr;  // `inside` knows of no boxes
     return finish();
   }
 
@@ -132,8 +135,16 @@ class Flattener {
   void add_root(const scene::Root& root, const Context& around) {
     default_texture_ = root.default_texture;
     if (const std::uint32_t node = visit(root.object, around); node != none) {
-      group_->entries.push_back({node, entry_interior_});
+      const BoxedObject boxed{root.object, frame_of(around.to_world)};
+      group_->entries.push_back({node, entry_interior_, none, boxed});
     }
+  }
+
+  /// Siblings, which are visited one after another, share theirs.
+  std::uint32_t frame_of(const Transform& to_group) {
+    if (to_group.is_identity()) return 0;
+    if (!(flat_.frames.back() == to_group)) flat_.frames.push_back(to_group);
+    return static_cast<std::uint32_t>(flat_.frames.size() - 1);
   }
 
   /// The node made for the object; none if it has fallen apart, or has no geometry.
@@ -151,7 +162,7 @@ class Flattener {
     if (own.scenery && around.splits && !own.cutaway && depth_ < max_placement_depth &&
         object.extras->clips.empty() && sharing_.shares(object, own.to_world) &&
         !holds_targets(object)) {
-      add_placement(object, own);
+      add_placement(id, own, around);
       return none;
     }
     const std::uint32_t body =
@@ -178,6 +189,7 @@ class Flattener {
     if (object.importance > 0) own.importance = object.importance;
     own.whole = object.kind == NodeKind::union_ &&
                 (around.whole || !around.splits || stays_whole(object));
+    if (own.whole && !around.whole) own.boxed = {id, frame_of(around.to_world)};
     own.merged = around.merged || object.kind == NodeKind::merge;
     if (!own.scenery) return own;
     const auto place = [&](const scene::TextureUse& use, scene::TextureUse& to) {
@@ -306,7 +318,9 @@ class Flattener {
       if (child == none && i == 0 && node.lenders == Lenders::first) node.lenders = Lenders::nobody;
       if (child == none) continue;
       if (inner.splits) {
-        group_->entries.push_back({child, entry_interior_});
+        const BoxedObject boxed =
+            inner.whole ? inner.boxed : BoxedObject{object.children[i], frame_of(inner.to_world)};
+        group_->entries.push_back({child, entry_interior_, none, boxed});
       } else {
         node.children.push_back(child);
       }
@@ -446,12 +460,14 @@ class Flattener {
     if (own.interior_texture.texture != none) inner.interior_texture = inner.texture;
     inner.interior = 0;
     inner.gate = none;
+    inner.boxed = {};  // the placement has it
     inner.received_by_uv = own.received_by_uv || by_uv(own.texture.texture) ||
                            by_uv(own.interior_texture.texture);
     return inner;
   }
 
-  void add_placement(const Object& object, const Context& own) {
+  void add_placement(scene::ObjectId id, const Context& own, const Context& around) {
+    const Object& object = scene_.objects[id];
     Placement placement;
     placement.to_outer = own.to_world;
     placement.group = group_of(object, received(own));
@@ -466,8 +482,11 @@ class Flattener {
     placement.interior = own.interior;
     placement.first_interior = static_cast<std::uint32_t>(group_->interiors.size()) - 1;
     add_interiors(contents, own, surface.texture.texture);
+    BoxedObject boxed = own.boxed;
+    const bool falls_apart = op_of(object.kind, own.inverted) == Op::any;
+    if (!falls_apart && !around.whole) boxed = {id, frame_of(around.to_world)};
     group_->entries.push_back(
-        {none, own.interior, static_cast<std::uint32_t>(flat_.placements.size())});
+        {none, own.interior, static_cast<std::uint32_t>(flat_.placements.size()), boxed});
     flat_.placements.push_back(placement);
   }
 
@@ -499,7 +518,7 @@ class Flattener {
     const std::uint32_t outer_interior = std::exchange(entry_interior_, 0);
     ++depth_;
     const std::uint32_t node = add_csg(object, inner, inner);
-    if (node != none) group.entries.push_back({node, 0});
+    if (node != none) group.entries.push_back({node, 0, none, {}});
     --depth_;
     entry_interior_ = outer_interior;
     group_ = outer;

@@ -49,11 +49,21 @@ struct FlatNode {
   std::vector<std::uint32_t> children;  // others: indices into Flat::nodes
 };
 
+/// The object whose box tells where a camera may be inside of an entry: itself, or the union around
+/// it that the oracle keeps whole.
+struct BoxedObject {
+  scene::ObjectId object = scene::none;
+  std::uint32_t frame = 0;  // index into Flat::frames
+
+  friend bool operator==(const BoxedObject&, const BoxedObject&) = default;
+};
+
 /// What is tested against the rest of the scene as one thing.
 struct FlatEntry {
   std::uint32_t node = scene::none;
   std::uint32_t interior = 0;                // of the object as a whole
   std::uint32_t placement = scene::none;     // instead of a node: index into Flat::placements
+  BoxedObject boxed;
 };
 
 /// All that stands in one space: in the world, or in contents that are placed many times. These
@@ -71,6 +81,7 @@ struct FlatGate {
 };
 
 struct Flat {
+  const scene::Scene* scene = nullptr;  // where boxes of objects matter
   FlatGroup world;
   std::vector<FlatGroup> groups;  // contents that are kept once; those within others come first
   std::vector<Placement> placements;
@@ -85,6 +96,7 @@ struct Flat {
   std::vector<FlatLeaf> parts;
   std::vector<FlatNode> nodes;
   std::vector<FlatGate> gates;
+  std::vector<Transform> frames{Transform()};  // from spaces around objects to that of their group
   std::vector<std::uint32_t> cutaways;  // nodes whose leaves have Surface::cutaway
   int noise_generator = 2;  // of functions that are shapes
 };

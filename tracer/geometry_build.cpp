@@ -3,6 +3,7 @@
 
 #include "tracer/csg/build.h"
 #include "tracer/csg/sweep.h"
+#include "tracer/extent.h"
 #include "tracer/geometry_state.h"
 #include "tracer/primitives/describe.h"
 #include "tracer/primitives/registry.h"
@@ -141,6 +142,7 @@ void Geometry::State::add_entry(Group& group, const Flat& flat, const FlatEntry&
     group.placements->add(entry.placement, placements[entry.placement].gate != scene::none);
     group.bodies.push_back(
         {Body::Kind::placement, false, entry.placement, entry.interior, nullptr});
+    add_box(group, flat, entry.boxed);
     return;
   }
   const FlatNode& node = flat.nodes[entry.node];
@@ -152,6 +154,7 @@ void Geometry::State::add_entry(Group& group, const Flat& flat, const FlatEntry&
     if (!ref) return;
     group.bodies.push_back(
         {Body::Kind::primitive, ref->inverted, ref->shape, entry.interior, ref->store});
+    add_box(group, flat, entry.boxed);
     return;
   }
   const std::uint32_t solid = add_solid(
@@ -159,6 +162,33 @@ void Geometry::State::add_entry(Group& group, const Flat& flat, const FlatEntry&
   parts.solids[solid].gate = bounds;
   group.solids->add(solid);
   group.bodies.push_back({Body::Kind::solid, false, solid, entry.interior, nullptr});
+  add_box(group, flat, entry.boxed);
+}
+
+/// True if points far from the surface may count as inside.
+bool Geometry::State::reaches_far(const Body& body) const {
+  if (body.inverted) return true;
+  switch (body.kind) {
+    case Body::Kind::primitive: return body.store->inside_bounds(body.index).infinite();
+    case Body::Kind::solid: {
+      const Solid& solid = parts.solids[body.index];
+      return !solid.endless.empty() || solid.inside.infinite();
+    }
+    case Body::Kind::placement: break;
+  }
+  return groups[placements[body.index].group]->reaches_far;
+}
+
+/// For the last body of the group.
+void Geometry::State::add_box(Group& group, const Flat& flat, const BoxedObject& boxed) const {
+  Body& body = group.bodies.back();
+  if (!reaches_far(body)) return;
+  group.reaches_far = true;
+  if (flat.scene == nullptr || boxed.object == scene::none) return;
+  const Bounds3 box = extent_of(*flat.scene, boxed.object, flat.frames[boxed.frame]);
+  if (box.infinite()) return;
+  body.box = static_cast<std::uint32_t>(group.boxes.size());
+  group.boxes.push_back(box);
 }
 
 std::optional<ShapeRef> Geometry::State::place(std::vector<TypeStores>& stores,
@@ -260,7 +290,9 @@ void Geometry::State::containing(const Group& group, dvec3 p,
                                  std::vector<std::uint32_t>& found, SweepState& sweep) const {
   const std::size_t first = found.size();
   const auto test = [&](std::uint32_t i) {
-    if (contains(group.bodies[i], p, sweep)) found.push_back(i);
+    const Body& body = group.bodies[i];
+    if (body.box != scene::none && !group.boxes[body.box].contains(p)) return;
+    if (contains(body, p, sweep)) found.push_back(i);
   };
   const auto count = static_cast<std::uint32_t>(group.bodies.size());
   constexpr std::uint32_t few = 4;  // bodies, and questions, for which an index is too much

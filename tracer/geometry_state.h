@@ -26,6 +26,7 @@ struct Body {
   std::uint32_t index = 0;  // shape, index into Parts::solids, or number of the placement
   std::uint32_t interior = 0;
   const Store* store = nullptr;  // of a primitive
+  std::uint32_t box = scene::none;  // index into Group::boxes; none: nothing is known
 };
 
 /// All that stands in one space: in the world, or in contents that are placed many times.
@@ -36,6 +37,10 @@ struct Group {
   std::unique_ptr<Accel> accel;
 
   std::vector<Body> bodies;  // in order of declaration
+  /// Of objects with an endless inside but a surface that ends, such as discs and what is inverse:
+  /// the oracle does not ask for their inside beyond the box of the surface (shading §2.8).
+  std::vector<Bounds3> boxes;
+  bool reaches_far = false;  // some inside is endless, with a box or without
   Bounds3 inside;            // no point is inside of any of them outside of this
   /// Where bodies are, for those who ask often: most scenes ask once, where their camera is, and
   /// are better off without. Made on demand by index_bodies().
@@ -98,6 +103,8 @@ struct Geometry::State {
 
  private:
   [[nodiscard]] bool contains(const Body& body, dvec3 p, SweepState& sweep) const;
+  [[nodiscard]] bool reaches_far(const Body& body) const;
+  void add_box(Group& group, const Flat& flat, const BoxedObject& boxed) const;
   [[nodiscard]] Bounds3 inside_bounds(const Body& body) const;
   /// Thread-safe; does nothing the second time.
   void index_bodies(const Group& group) const;

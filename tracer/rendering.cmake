@@ -7,7 +7,8 @@ durer_entries(warp_sources warps/warps.def warps)
 durer_library(tracer
   SOURCES
     chi_square.cpp compile.cpp pigment_queries.cpp unsupported.cpp
-    patterns/crackle_cell.cpp patterns/image_sampler.cpp patterns/inner_object.cpp patterns/penrose.cpp patterns/tilings.cpp patterns/patterns.cpp patterns/program.cpp ${pattern_sources}
+    patterns/crackle_cell.cpp patterns/image_sampler.cpp patterns/inner_object.cpp patterns/penrose.cpp
+    patterns/tiling_borders.cpp patterns/tilings.cpp patterns/patterns.cpp patterns/program.cpp ${pattern_sources}
     warps/warps.cpp ${warp_sources}
     shading/finish.cpp shading/fog.cpp shading/rainbow.cpp shading/interior.cpp shading/media.cpp shading/normal.cpp shading/pigment.cpp shading/sky.cpp shading/spectrum.cpp
     shading/texture.cpp shading/translucent.cpp

@@ -34,13 +34,15 @@ struct Slope {
     const dvec3 up = glm::normalize(to_point ? direction - view->p : direction);
     const double s = std::clamp(glm::dot(view->n, up), -1.0, 1.0);
     const double slope = ranged((std::asin(s) * 2 / std::numbers::pi + 1) / 2, low, high);
-    if (altitude == dvec3(0.0)) return slope == 1 ? slope - epsilon : wrapped(slope);
+    // Rounded to single precision, so a share may be a little more than all: then slopes of 1, such
+    // as those of level ground, come out as 0.
+    const double steep = to_point ? 1 : glm::length(direction);
     const double size = glm::length(altitude);
-    const double height =
-        ranged(glm::dot(p, altitude / size), low_altitude, high_altitude);
-    const double steep = glm::length(direction);
     const double share = steep / static_cast<float>(steep + size);
-    const double v = share * slope + (1 - share) * height;
+    double v = share * slope;
+    if (size > 0) {
+      v += (1 - share) * ranged(glm::dot(p, altitude / size), low_altitude, high_altitude);
+    }
     return v >= 1 && v < 1 + epsilon ? v - epsilon : wrapped(v);
   }
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/floor.h"
 #include "tracer/patterns/pattern_type.h"
 #include "tracer/patterns/penrose.h"
+#include "tracer/patterns/tiling_borders.h"
 #include "tracer/patterns/tilings.h"
 
 namespace durer::tracer::patterns {
@@ -13,8 +13,6 @@ namespace {
 
 constexpr double root3 = std::numbers::sqrt3;
 constexpr double h = root3 / 2;
-
-double floor_mod(double a, double b) { return a - b * floored(a / b); }
 
 /// Kinds of tiles whose flat middle is raised a little, to stand clear of the border of the kind
 /// below: value = max(least, k / n + raised / n + …).
@@ -79,6 +77,7 @@ struct TilingPattern {
   }
 
   double operator()(dvec3 p) const {
+    if (const auto v = value_on_mirror(static_cast<int>(number), {p.x, p.z})) return *v;
     switch (static_cast<int>(number)) {
       case 12: return regular({std::abs(floor_mod(p.x, 6) - 3), std::abs(floor_mod(p.z, 6) - 3)});
       case 22: return dodecagons(p.x, p.z);
@@ -91,7 +90,8 @@ struct TilingPattern {
 
  private:
   [[nodiscard]] double regular(dvec2 p) const {
-    const Tiling::Place place = tiling->at(p);
+    Tiling::Place place = tiling->at(p);
+    place.kind = kind_by_folding(static_cast<int>(number), p).value_or(place.kind);
     double v = place.kind + std::max(0.0, 1 - tiling->steepness * place.depth);
     for (const Lift& lift : lifts) {
       if (lift.tiling == static_cast<int>(number) && lift.kind == place.kind) {

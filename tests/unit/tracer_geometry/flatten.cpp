@@ -234,7 +234,7 @@ TEST_CASE("geometry: bodies are told in order of declaration", "[tracer][geometr
   SceneBuilder b;
   b.show(ball());
   b.show(primitive("plane", {0, 1, 0, 1}));
-  scene::Object hole = ball(20);
+  scene::Object hole = primitive("torus", {5, 1});
   hole.inverse = true;
   b.show(hole);
   b.show(ball(0.1));

@@ -1,30 +1,11 @@
-#include <zlib.h>
-
 #include "image/png_filters.h"
-#include "image/prefix_code.h"
 #include "image/repetition.h"
-#include "image/run_deflate.h"
 #include "tests/support/catch.h"
 
 namespace durer::image {
 namespace {
 
 using Bytes = std::vector<unsigned char>;
-
-/// What zlib makes of a raw stream; empty if it is broken or does not end.
-Bytes inflated(const Bytes& stream, std::size_t size) {
-  Bytes out(size + 1);
-  z_stream z{};
-  REQUIRE(inflateInit2(&z, -15) == Z_OK);
-  z.next_in = const_cast<unsigned char*>(stream.data());
-  z.avail_in = static_cast<uInt>(stream.size());
-  z.next_out = out.data();
-  z.avail_out = static_cast<uInt>(out.size());
-  const bool whole = inflate(&z, Z_FINISH) == Z_STREAM_END && z.avail_in == 0;
-  out.resize(whole ? z.total_out : 0);
-  inflateEnd(&z);
-  return out;
-}
 
 /// Bytes of `kinds` values, the small ones being more frequent, each repeated up to `repeats` times.
 Bytes noise(std::size_t size, std::uint32_t kinds, std::uint32_t repeats) {
@@ -65,41 +46,7 @@ Bytes restored(const FilterRows& rows, const unsigned char* differences, int typ
 
 }  // namespace
 
-TEST_CASE("deflate: what was written by frequencies and runs comes back", "[image][deflate]") {
-  const std::size_t size = GENERATE(1, 2, 7, 8, 300, 32768, 32769, 100000);
-  const std::uint32_t kinds = GENERATE(1, 2, 30, 256);
-  const std::uint32_t repeats = GENERATE(1, 9, 700);
-  CAPTURE(size, kinds, repeats);
-  const Bytes bytes = noise(size, kinds, repeats);
-  Bytes stream;
-  deflate_runs(bytes, true, stream);
-  CHECK(inflated(stream, size) == bytes);
-  const std::size_t half = size / 2;
-  if (half == 0) return;
-  Bytes joined;
-  deflate_runs(std::span(bytes).first(half), false, joined);
-  deflate_runs(std::span(bytes).subspan(half), true, joined);
-  CHECK(inflated(joined, size) == bytes);
-}
-
-TEST_CASE("deflate: no code is longer than allowed, and every code is taken", "[image][deflate]") {
-  const int most = GENERATE(7, 15);
-  std::vector<std::uint32_t> counts{1, 1};
-  while (counts.size() < 40) counts.push_back(counts[counts.size() - 1] + counts[counts.size() - 2]);
-  counts.resize(most == 7 ? 19 : 40);  // Fibonacci's numbers make the deepest trees
-  counts[3] = 0;
-  std::vector<std::uint8_t> lengths(counts.size());
-  find_lengths(counts, most, lengths);
-  unsigned taken = 0;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    CHECK((lengths[i] == 0) == (counts[i] == 0));
-    CHECK(lengths[i] <= most);
-    if (lengths[i] > 0) taken += 1U << (most - lengths[i]);
-  }
-  CHECK(taken == 1U << most);
-}
-
-TEST_CASE("deflate: repetitions are seen where there are some, and runs are none", "[image][deflate]") {
+TEST_CASE("png: repetitions are seen where there are some, and runs are none", "[image][png]") {
   const Bytes grain = noise(16384, 256, 1);
   CHECK(repeated_bytes(grain, 15000) < 100);
   CHECK(repeated_bytes(noise(16384, 256, 2000), 200) < 20);
@@ -109,7 +56,7 @@ TEST_CASE("deflate: repetitions are seen where there are some, and runs are none
   CHECK(repeated_bytes({}, 0) == 0);
 }
 
-TEST_CASE("filters: a row comes back", "[image][deflate]") {
+TEST_CASE("png filters: a row comes back", "[image][png]") {
   constexpr std::size_t pixel = 3;
   const std::size_t size = GENERATE(3, 15, 48, 999);
   const std::uint32_t kinds = GENERATE(3, 256);
@@ -127,8 +74,8 @@ TEST_CASE("filters: a row comes back", "[image][deflate]") {
 }
 
 // Five bytes at which every other filter does worse make sure of the fourth.
-TEST_CASE("filters: of three neighbours the nearest is the guess, wherever they lie",
-          "[image][deflate]") {
+TEST_CASE("png filters: of three neighbours the nearest is the guess, wherever they lie",
+          "[image][png]") {
   constexpr std::size_t pixel = 8;
   constexpr std::size_t size = 6;
   Bytes above(pixel + size, 255), here(pixel + size, 100);
