@@ -127,22 +127,22 @@ void Tracer::look_up_layer(const LayerProgram& layer, std::span<FoundSurface* co
     for (std::size_t i = 0; i < count; ++i) places[i] = found[i]->look.view.q;
     return std::span(places).first(count);
   };
+  scene_->textures.pigments().at(layer.pigment, points(), colours);
+  if (layer.normal == scene::none) return;
   const auto in_the_world = [](const FoundSurface* f) {
     return f->look.view.places == 0 && f->look.view.frame_count == 0;
   };
-  if (layer.normal == scene::none) {
-  } else if (std::all_of(found.begin(), found.end(), in_the_world)) {
+  if (std::all_of(found.begin(), found.end(), in_the_world)) {
     for (std::size_t i = 0; i < count; ++i) normals[i] = found[i]->look.view.g;
     scene_->textures.normals().at(layer.normal, points(), normals);
     for (std::size_t i = 0; i < count; ++i) normals[i] = glm::normalize(normals[i]);
-  } else {
-    for (std::size_t i = 0; i < count; ++i) {
-      const View& view = found[i]->look.view;
-      SurfaceView seen{view.p, view.d, view.g, view.uv};
-      normals[i] = bend(view, layer, seen);
-    }
+    return;
   }
-  scene_->textures.pigments().at(layer.pigment, points(), colours);
+  for (std::size_t i = 0; i < count; ++i) {  // there and back through other spaces
+    const View& view = found[i]->look.view;
+    SurfaceView seen{view.p, view.d, view.g, view.uv};
+    normals[i] = bend(view, layer, seen);
+  }
 }
 
 }  // namespace durer::tracer

@@ -3,12 +3,11 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <optional>
 #include <span>
 #include <vector>
-
-#include <glm/geometric.hpp>
 
 #include "tracer/compiled_scene.h"
 #include "tracer/primitives/store.h"
