@@ -47,6 +47,11 @@ void vnoise(std::span<const dvec3> points, std::span<dvec3> out) {
 double turbulence(dvec3 p, const Octaves& octaves, NoiseGenerator generator) {
   return simd::kernels().turbulence(p, octaves, generator);
 }
+void turbulence(std::span<const dvec3> points, const Octaves& octaves, NoiseGenerator generator,
+                std::span<double> out) {
+  assert(points.size() == out.size());
+  simd::kernels().turbulence_many(points.data(), points.size(), octaves, generator, out.data());
+}
 dvec3 vturbulence(dvec3 p, const Octaves& octaves) {
   return simd::kernels().vturbulence(p, octaves);
 }
@@ -58,7 +63,17 @@ void vturbulence(std::span<const dvec3> points, const Octaves& octaves, std::spa
 void noise_octaves(dvec3 p, double lambda, int count, NoiseGenerator generator, double* out) {
   simd::kernels().noise_octaves(p, lambda, count, generator, out);
 }
+void noise_octaves(std::span<const dvec3> points, double lambda, int count,
+                   NoiseGenerator generator, double* out) {
+  assert(points.size() <= 4);
+  simd::kernels().four_octaves(points.data(), static_cast<int>(points.size()), lambda, count,
+                               generator, out);
+}
 dvec3 folded_vnoise(dvec3 p, int count) { return simd::kernels().vfolded(p, count); }
+void folded_vnoise(std::span<const dvec3> points, int count, std::span<dvec3> out) {
+  assert(points.size() == out.size());
+  simd::kernels().vfolded_many(points.data(), points.size(), count, out.data());
+}
 
 int hash2(int a, int b) {
   return permutation[permutation[static_cast<unsigned>(a) & lattice_mask] ^
@@ -78,11 +93,6 @@ double cycloidal(double v) {
   constexpr double turn = 2 * std::numbers::pi;
   return v >= 0 ? std::sin(turn * fraction(v)) : -std::sin(turn * fraction(-v));
 }
-double triangle(double v) {
-  const double o = v >= 0 ? fraction(v) : v + 1 + floored(std::abs(v));
-  return o < 0.5 ? 2 * o : 2 * (1 - o);
-}
-
 std::vector<WaveSource> wave_sources(int count) {
   std::vector<WaveSource> sources;
   Lcg lcg{static_cast<std::uint32_t>(-560851967)};

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/dual.h"
+#include "base/floor.h"
 #include "base/interval.h"
 #include "base/trend.h"
 #include "base/vec.h"
@@ -55,6 +56,9 @@ struct Octaves {
 };
 /// Scalar turbulence (marble, agate, spirals, fog, iridescence; textures §2.7).
 [[nodiscard]] double turbulence(dvec3 p, const Octaves& octaves, NoiseGenerator generator);
+/// out[i] = turbulence(points[i]), to the last bit. `out` is as long as `points`.
+void turbulence(std::span<const dvec3> points, const Octaves& octaves, NoiseGenerator generator,
+                std::span<double> out);
 /// Vector turbulence (textures §2.7), in pattern units.
 [[nodiscard]] dvec3 vturbulence(dvec3 p, const Octaves& octaves);
 /// out[i] = vturbulence(points[i]), to the last bit. `out` is as long as `points`, or the same.
@@ -62,8 +66,13 @@ void vturbulence(std::span<const dvec3> points, const Octaves& octaves, std::spa
 
 /// out[i] = noise(lambda^i * p) for i < `count`. `out` has room for the next multiple of four.
 void noise_octaves(dvec3 p, double lambda, int count, NoiseGenerator generator, double* out);
+/// The same for up to four points: out[4 * i + k] is that of point k.
+void noise_octaves(std::span<const dvec3> points, double lambda, int count,
+                   NoiseGenerator generator, double* out);
 /// Sum of |vnoise(2^i * p)| / 2^i for i < `count`, component by component.
 [[nodiscard]] dvec3 folded_vnoise(dvec3 p, int count);
+/// out[i] = folded_vnoise(points[i]), to the last bit. `out` is as long as `points`.
+void folded_vnoise(std::span<const dvec3> points, int count, std::span<dvec3> out);
 
 /// Integer hashes into 0..4095; arguments in two's complement (textures §2.2).
 [[nodiscard]] int hash2(int a, int b);
@@ -74,7 +83,10 @@ void noise_octaves(dvec3 p, double lambda, int count, NoiseGenerator generator, 
 
 /// sin(2πv), and a triangle wave of period 1 in [0, 1] (textures §2.8).
 [[nodiscard]] double cycloidal(double v);
-[[nodiscard]] double triangle(double v);
+[[nodiscard]] inline double triangle(double v) {
+  const double o = v >= 0 ? v - floored(v) : v + 1 + floored(-v);
+  return o < 0.5 ? 2 * o : 2 * (1 - o);
+}
 
 /// One centre of ripples and waves, on the unit sphere, and its frequency (textures §2.9).
 struct WaveSource {

@@ -122,6 +122,7 @@ bool compile_lights(const scene::Scene& scene, CompiledScene& out, Diagnostics& 
     auto alone = Geometry::build_object(scene, p.object, diagnostics, p.to_world);
     if (!alone) return false;
     out.lights[p.light].projector = static_cast<std::uint32_t>(out.projectors.size());
+    out.lights[p.light].plain = false;
     out.projectors.push_back(std::move(*alone));
   }
   return true;

@@ -2,132 +2,10 @@
 
 #include <algorithm>
 
-#include "functions/noise_cell.h"
-#include "functions/simd/noise_lanes.h"
+#include "functions/simd/noise_lattice.h"
 
 namespace durer::functions::simd {
 namespace {
-
-// The eight rows of a cell: number a + 2b + 4c for corner (a, b, c). Lanes i, j, k of `x`, `y` and
-// `z` are the coordinates.
-struct TableCorners {
-  using Axis = TableAxis;
-  const double* row[8];
-
-  DURER_INLINE TableCorners(const NoiseLanes& x, int i, const NoiseLanes& y, int j,
-                            const NoiseLanes& z, int k) {
-    const std::uint32_t hx[2] = {permutation[x.index[i]], permutation[x.next_index[i]]};
-    for (unsigned a = 0; a < 2; ++a) {
-      const std::uint32_t hy[2] = {permutation[hx[a] ^ y.index[j]],
-                                   permutation[hx[a] ^ y.next_index[j]]};
-      for (unsigned b = 0; b < 2; ++b) {
-        row[a + 2 * b] = row_at(row_offsets[hy[b] ^ z.index[k]]);
-        row[a + 2 * b + 4] = row_at(row_offsets[hy[b] ^ z.next_index[k]]);
-      }
-    }
-  }
-};
-struct GradientCorners {
-  using Axis = GradientAxis;
-  const double* row[8];
-
-  DURER_INLINE GradientCorners(const NoiseLanes& x, int i, const NoiseLanes& y, int j,
-                               const NoiseLanes& z, int k) {
-    const GradientLattice& t = gradient_lattice();
-    constexpr std::uint32_t mask = GradientAxis::mask;
-    const std::uint32_t hx[2] = {t.p[x.index[i]], t.p[x.next_index[i]]};
-    for (unsigned a = 0; a < 2; ++a) {
-      const std::uint32_t hy[2] = {t.p[(hx[a] + y.index[j]) & mask],
-                                   t.p[(hx[a] + y.next_index[j]) & mask]};
-      for (unsigned b = 0; b < 2; ++b) {
-        row[a + 2 * b] = t.gradients[(hy[b] + z.index[k]) & mask].c;
-        row[a + 2 * b + 4] = t.gradients[(hy[b] + z.next_index[k]) & mask].c;
-      }
-    }
-  }
-};
-
-/// The weight of a corner is separable, also with the dot product of its gradient folded in: lane 1
-/// of the x factor is the slope's, and likewise lane 2 of y and lane 3 of z.
-template <class Quad>
-struct Weights {
-  Quad x0, x1, y0, y1, z0, z1;
-
-  explicit DURER_INLINE Weights(const Cell& cell)
-      : x0(Quad::of(below(cell.x), below(cell.x) * cell.x.f, below(cell.x), below(cell.x))),
-        x1(Quad::of(cell.x.s, cell.x.s * (cell.x.f - 1), cell.x.s, cell.x.s)),
-        y0(Quad::of(below(cell.y), below(cell.y), below(cell.y) * cell.y.f, below(cell.y))),
-        y1(Quad::of(cell.y.s, cell.y.s, cell.y.s * (cell.y.f - 1), cell.y.s)),
-        z0(Quad::of(below(cell.z), below(cell.z), below(cell.z), below(cell.z) * cell.z.f)),
-        z1(Quad::of(cell.z.s, cell.z.s, cell.z.s, cell.z.s * (cell.z.f - 1))) {}
-  DURER_INLINE Weights(const NoiseLanes& x, int i, const NoiseLanes& y, int j, const NoiseLanes& z,
-                       int k)
-      : x0(Quad::template mixed<1>(x.below[i], x.below_slope[i])),
-        x1(Quad::template mixed<1>(x.above[i], x.above_slope[i])),
-        y0(Quad::template mixed<2>(y.below[j], y.below_slope[j])),
-        y1(Quad::template mixed<2>(y.above[j], y.above_slope[j])),
-        z0(Quad::template mixed<3>(z.below[k], z.below_slope[k])),
-        z1(Quad::template mixed<3>(z.above[k], z.above_slope[k])) {}
-
-  /// What value and gradients add over the eight corners; rows start `skip` numbers behind `row`.
-  DURER_INLINE Quad parts(const double* const (&row)[8], int skip = 0) const {
-    const auto edge = [&](int corner) DURER_LAMBDA_INLINE {
-      return Quad::load(row[corner] + skip) * x0 + Quad::load(row[corner + 1] + skip) * x1;
-    };
-    return (edge(0) * y0 + edge(2) * y1) * z0 + (edge(4) * y0 + edge(6) * y1) * z1;
-  }
-
- private:
-  static DURER_INLINE double below(const CellAxis& a) { return 1 - a.s; }
-};
-
-// One noise generator over four points at a time. `Corners`: its lattice.
-template <class Quad, class Corners>
-struct Lattice {
-  using Axis = typename Corners::Axis;
-  using Register = typename Quad::Register;
-
-  /// The interpolated sums of four points, of coordinates x, y and z; only `count` of them matter.
-  static DURER_INLINE Quad four(const double* x, const double* y, const double* z, int count) {
-    NoiseLanes lanes[3];
-    fill<Register, Axis>(lanes[0], x);
-    fill<Register, Axis>(lanes[1], y);
-    fill<Register, Axis>(lanes[2], z);
-    Quad parts[4];
-    for (int i = 0; i < count; ++i) {
-      const Corners corners(lanes[0], i, lanes[1], i, lanes[2], i);
-      parts[i] = Weights<Quad>(lanes[0], i, lanes[1], i, lanes[2], i).parts(corners.row);
-    }
-    for (int i = count; i < 4; ++i) parts[i] = parts[0];
-    return Quad::sums(parts[0], parts[1], parts[2], parts[3]);
-  }
-};
-
-/// Vector noise of four points, by component.
-template <class Quad>
-struct VectorNoises {
-  Quad x, y, z;
-
-  /// Of coordinates `c`; only `count` of them matter.
-  explicit DURER_INLINE VectorNoises(const double (&c)[3][4], int count) {
-    NoiseLanes lanes[3];
-    for (int axis = 0; axis < 3; ++axis) {
-      fill<typename Quad::Register, TableAxis>(lanes[axis], c[axis]);
-    }
-    Quad parts[3][4];
-    for (int i = 0; i < count; ++i) {
-      const TableCorners corners(lanes[0], i, lanes[1], i, lanes[2], i);
-      const Weights<Quad> weights(lanes[0], i, lanes[1], i, lanes[2], i);
-      for (int k = 0; k < 3; ++k) parts[k][i] = weights.parts(corners.row, 16 * k);
-    }
-    for (int i = count; i < 4; ++i) {
-      for (auto& part : parts) part[i] = part[0];
-    }
-    x = Quad::sums(parts[0][0], parts[0][1], parts[0][2], parts[0][3]);
-    y = Quad::sums(parts[1][0], parts[1][1], parts[1][2], parts[1][3]);
-    z = Quad::sums(parts[2][0], parts[2][1], parts[2][2], parts[2][3]);
-  }
-};
 
 /// The three components of vector noise; the last lane is nothing.
 template <class Quad>
@@ -157,32 +35,57 @@ DURER_INLINE double noise_of(double x, double y, double z, int generator) {
   return clamp01((Weights<Quad>(cell).parts(cell.row).sum() + scale.offset) * scale.scale);
 }
 
-/// Noise at four points, of any generator.
-template <class Quad>
-DURER_INLINE Quad four_noises(const double* x, const double* y, const double* z, int generator,
-                                int count) {
+/// What the generator makes of four interpolated sums, which `sums_in` gives for a kind of lattice.
+template <class Quad, class SumsIn>
+DURER_INLINE Quad noises_of(int generator, const SumsIn& sums_in) {
   const auto all = [](double v) DURER_LAMBDA_INLINE { return Quad::of(v, v, v, v); };
   if (generator == 3) {
-    const Quad sums = Lattice<Quad, GradientCorners>::four(x, y, z, count);
+    const Quad sums = sums_in.template operator()<GradientCorners>();
     return (all(0.5) * (all(1.59) * sums + all(0.985))).clamped01();
   }
   const NoiseScale scale = noise_scale(generator);
-  return ((Lattice<Quad, TableCorners>::four(x, y, z, count) + all(scale.offset)) * all(scale.scale))
-      .clamped01();
+  const Quad sums = sums_in.template operator()<TableCorners>();
+  return ((sums + all(scale.offset)) * all(scale.scale)).clamped01();
+}
+/// Noise at four points that are likely to lie together; only `count` of them matter.
+template <class Quad>
+DURER_INLINE Quad four_noises(Quad x, Quad y, Quad z, int generator, int count) {
+  return noises_of<Quad>(generator, [&]<class Corners>() DURER_LAMBDA_INLINE {
+    return lattice_sums<Corners>(x, y, z, count);
+  });
+}
+
+/// Up to four points. Lanes that are left take the first.
+template <class Quad>
+struct FourPoints {
+  Quad x, y, z;
+
+  DURER_INLINE FourPoints(const dvec3* p, int count) {
+    const dvec3& a = p[0];
+    const dvec3& b = p[count > 1 ? 1 : 0];
+    const dvec3& c = p[count > 2 ? 2 : 0];
+    const dvec3& d = p[count > 3 ? 3 : 0];
+    x = Quad::of(a.x, b.x, c.x, d.x);
+    y = Quad::of(a.y, b.y, c.y, d.y);
+    z = Quad::of(a.z, b.z, c.z, d.z);
+  }
+};
+/// Calls visit(first, count) for groups of up to four among `n` points.
+template <class Visit>
+DURER_INLINE void by_fours(std::size_t n, const Visit& visit) {
+  for (std::size_t done = 0; done < n; done += 4) {
+    visit(done, n - done < 4 ? static_cast<int>(n - done) : 4);
+  }
 }
 
 template <class Quad>
 DURER_INLINE void noise_many_of(const dvec3* p, std::size_t n, int generator, double* out) {
-  for (std::size_t done = 0; done < n; done += 4) {
-    const int count = n - done < 4 ? static_cast<int>(n - done) : 4;
-    alignas(32) double c[3][4] = {};
-    for (int i = 0; i < count; ++i) {
-      for (int axis = 0; axis < 3; ++axis) c[axis][i] = p[done + i][axis];
-    }
+  by_fours(n, [&](std::size_t first, int count) DURER_LAMBDA_INLINE {
+    const FourPoints<Quad> at(p + first, count);
     alignas(32) double values[4];
-    four_noises<Quad>(c[0], c[1], c[2], generator, count).store(values);
-    for (int i = 0; i < count; ++i) out[done + i] = values[i];
-  }
+    four_noises(at.x, at.y, at.z, generator, count).store(values);
+    for (int i = 0; i < count; ++i) out[first + i] = values[i];
+  });
 }
 
 /// Four powers of lambda after another, from `next` on, which becomes the one after them.
@@ -208,7 +111,9 @@ DURER_INLINE Quad next_noises(const dvec3& p, double lambda, double& frequency, 
   const Quad scale = four_powers<Quad>(lambda, frequency);
   alignas(32) double c[3][4];
   for (int axis = 0; axis < 3; ++axis) scaled(scale, p[axis], c[axis]);
-  return four_noises<Quad>(c[0], c[1], c[2], generator, count);
+  return noises_of<Quad>(generator, [&]<class Corners>() DURER_LAMBDA_INLINE {
+    return FourApart<typename Corners::Axis, Quad>(c[0], c[1], c[2]).template sums<Corners>(count);
+  });
 }
 template <class Quad>
 DURER_INLINE void noise_octaves_of(const dvec3& p, double lambda, int n, int generator, double* out) {
@@ -244,9 +149,22 @@ DURER_INLINE dvec3 vnoise_of(const dvec3& p) {
   const Cell cell = table_cell(p.x, p.y, p.z);
   return to_vector(vector_noise(Weights<Quad>(cell), cell.row));
 }
+/// Up to four vectors that have a lane each.
+template <class Quad>
+DURER_INLINE void put(const Quad& x, const Quad& y, const Quad& z, int count, dvec3* out) {
+  alignas(32) double c[3][4];
+  x.store(c[0]);
+  y.store(c[1]);
+  z.store(c[2]);
+  for (int i = 0; i < count; ++i) out[i] = {c[0][i], c[1][i], c[2][i]};
+}
 template <class Quad>
 DURER_INLINE void vnoise_many_of(const dvec3* p, std::size_t n, dvec3* out) {
-  for (std::size_t i = 0; i < n; ++i) out[i] = vnoise_of<Quad>(p[i]);
+  by_fours(n, [&](std::size_t first, int count) DURER_LAMBDA_INLINE {
+    const FourPoints<Quad> at(p + first, count);
+    const VectorNoises<Quad> noises(at.x, at.y, at.z, count);
+    put(noises.x, noises.y, noises.z, count, out + first);
+  });
 }
 
 /// Calls visit(vector noise of an octave of `p`) for one after another.
@@ -263,7 +181,7 @@ DURER_INLINE void for_vnoise_octaves(const dvec3& p, double lambda, int n, Visit
     }
     const int count = std::min(n - i, 4);
     for (int k = 0; k < count; ++k) {
-      const TableCorners corners(lanes[0], k, lanes[1], k, lanes[2], k);
+      const TableCorners corners(Planes(lanes[0], k), Planes(lanes[1], k), Planes(lanes[2], k));
       visit(vector_noise(Weights<Quad>(lanes[0], k, lanes[1], k, lanes[2], k), corners.row));
     }
   }
@@ -278,40 +196,43 @@ DURER_INLINE dvec3 vturbulence_of(const dvec3& p, const Octaves& o) {
   });
   return to_vector(value);
 }
+/// Calls visit(vector noises of an octave) for one octave of up to four points after another.
+template <class Quad, class Visit>
+DURER_INLINE void for_four_vnoises(const FourPoints<Quad>& at, int count, double lambda,
+                                   int octaves, const Visit& visit) {
+  double frequency = 1;
+  for (int octave = 0; octave < octaves; ++octave, frequency *= lambda) {
+    const Quad scale = Quad::all(&frequency);
+    visit(VectorNoises<Quad>(scale * at.x, scale * at.y, scale * at.z, count));
+  }
+}
 /// Up to four points, with a lane each: none is idle, whatever the number of octaves is.
 template <class Quad>
 DURER_INLINE void four_vturbulences(const dvec3* p, int count, const Octaves& o, dvec3* out) {
-  alignas(32) double c[3][4] = {};
-  for (int i = 0; i < count; ++i) {
-    for (int axis = 0; axis < 3; ++axis) c[axis][i] = p[i][axis];
-  }
-  const auto all = [](double v) DURER_LAMBDA_INLINE { return Quad::of(v, v, v, v); };
-  const Quad place[3] = {Quad::load(c[0]), Quad::load(c[1]), Quad::load(c[2])};
-  Quad sum[3] = {all(0), all(0), all(0)};
-  double frequency = 1;
+  constexpr double zero = 0;
+  Quad x = Quad::all(&zero);
+  Quad y = x;
+  Quad z = x;
   double weight = 1;
-  for (int octave = 0; octave < o.count; ++octave) {
-    for (int axis = 0; axis < 3; ++axis) (all(frequency) * place[axis]).store(c[axis]);
-    const VectorNoises<Quad> noises(c, count);
-    sum[0] = sum[0] + all(weight) * noises.x;
-    sum[1] = sum[1] + all(weight) * noises.y;
-    sum[2] = sum[2] + all(weight) * noises.z;
-    frequency *= o.lambda;
+  for_four_vnoises<Quad>(FourPoints<Quad>(p, count), count, o.lambda, o.count,
+                         [&](const VectorNoises<Quad>& noises) DURER_LAMBDA_INLINE {
+    x = x + Quad::all(&weight) * noises.x;
+    y = y + Quad::all(&weight) * noises.y;
+    z = z + Quad::all(&weight) * noises.z;
     weight *= o.omega;
-  }
-  for (int axis = 0; axis < 3; ++axis) sum[axis].store(c[axis]);
-  for (int i = 0; i < count; ++i) out[i] = {c[0][i], c[1][i], c[2][i]};
+  });
+  put(x, y, z, count, out);
 }
 template <class Quad>
 DURER_INLINE void vturbulence_many_of(const dvec3* p, std::size_t n, const Octaves& o,
                                       dvec3* out) {
-  std::size_t done = 0;
-  for (; n - done >= 4; done += 4) four_vturbulences<Quad>(p + done, 4, o, out + done);
-  if (n - done == 1) {
-    out[done] = vturbulence_of<Quad>(p[done], o);
-  } else if (n > done) {
-    four_vturbulences<Quad>(p + done, static_cast<int>(n - done), o, out + done);
-  }
+  by_fours(n, [&](std::size_t first, int count) DURER_LAMBDA_INLINE {
+    if (count == 1) {
+      out[first] = vturbulence_of<Quad>(p[first], o);
+    } else {
+      four_vturbulences<Quad>(p + first, count, o, out + first);
+    }
+  });
 }
 /// Sum of the octaves' sizes, component by component, each half of the one before.
 template <class Quad>
@@ -323,6 +244,64 @@ DURER_INLINE dvec3 vfolded_of(const dvec3& p, int n) {
     weight *= 0.5;
   });
   return to_vector(value);
+}
+
+template <class Quad>
+DURER_INLINE void vfolded_many_of(const dvec3* p, std::size_t n, int octaves, dvec3* out) {
+  by_fours(n, [&](std::size_t first, int count) DURER_LAMBDA_INLINE {
+    constexpr double zero = 0;
+    Quad x = Quad::all(&zero);
+    Quad y = x;
+    Quad z = x;
+    double weight = 1;
+    for_four_vnoises<Quad>(FourPoints<Quad>(p + first, count), count, 2, octaves,
+                           [&](const VectorNoises<Quad>& noises) DURER_LAMBDA_INLINE {
+      x = x + Quad::all(&weight) * noises.x.abs();
+      y = y + Quad::all(&weight) * noises.y.abs();
+      z = z + Quad::all(&weight) * noises.z.abs();
+      weight *= 0.5;
+    });
+    put(x, y, z, count, out + first);
+  });
+}
+
+/// Calls visit(octave, noises) for one octave of up to four points after another.
+template <class Quad, class Visit>
+DURER_INLINE void for_four_noises(const FourPoints<Quad>& at, int count, double lambda, int octaves,
+                                  int generator, const Visit& visit) {
+  double frequency = 1;
+  for (int octave = 0; octave < octaves; ++octave, frequency *= lambda) {
+    const Quad scale = Quad::all(&frequency);
+    visit(octave, four_noises(scale * at.x, scale * at.y, scale * at.z, generator, count));
+  }
+}
+template <class Quad>
+DURER_INLINE void turbulence_many_of(const dvec3* p, std::size_t n, const Octaves& o,
+                                     int generator, double* out) {
+  const double scale = generator >= 2 ? 2.0 : 1.0;
+  const double shift = generator >= 2 ? 0.5 : 0.0;
+  by_fours(n, [&](std::size_t first, int count) DURER_LAMBDA_INLINE {
+    constexpr double zero = 0;
+    Quad value = Quad::all(&zero);
+    double weight = 1;
+    for_four_noises<Quad>(FourPoints<Quad>(p + first, count), count, o.lambda, o.count, generator,
+                          [&](int octave, const Quad& noises) DURER_LAMBDA_INLINE {
+      const Quad signal = Quad::all(&scale) * noises - Quad::all(&shift);
+      value = value + (octave == 0 ? signal.clamped01() : Quad::all(&weight) * signal);
+      weight *= o.omega;
+    });
+    alignas(32) double values[4];
+    value.store(values);
+    for (int i = 0; i < count; ++i) out[first + i] = values[i];
+  });
+}
+template <class Quad>
+DURER_INLINE void four_octaves_of(const dvec3* p, int count, double lambda, int octaves,
+                                  int generator, double* out) {
+  for_four_noises<Quad>(FourPoints<Quad>(p, count), count, lambda, octaves, generator,
+                        [&](int octave, const Quad& noises) DURER_LAMBDA_INLINE {
+    noises.store(out + 4 * octave);
+  });
 }
 
 }  // namespace
@@ -353,9 +332,20 @@ DURER_INLINE dvec3 vfolded_of(const dvec3& p, int n) {
     noise_octaves_of<Quad>(p, lambda, n, g, out);                                                \
   }                                                                                              \
   target dvec3 vfolded(const dvec3& p, int n) { return vfolded_of<Quad>(p, n); }                 \
+  target void turbulence_many(const dvec3* p, std::size_t n, const Octaves& o, int g,            \
+                              double* out) {                                                     \
+    turbulence_many_of<Quad>(p, n, o, g, out);                                                   \
+  }                                                                                              \
+  target void vfolded_many(const dvec3* p, std::size_t n, int octaves, dvec3* out) {             \
+    vfolded_many_of<Quad>(p, n, octaves, out);                                                   \
+  }                                                                                              \
+  target void four_octaves(const dvec3* p, int count, double lambda, int octaves, int g,         \
+                           double* out) {                                                        \
+    four_octaves_of<Quad>(p, count, lambda, octaves, g, out);                                    \
+  }                                                                                              \
   constexpr NoiseKernels table{noise,      noise_many,  vnoise,           vnoise_many,           \
                                turbulence, vturbulence, vturbulence_many, noise_octaves,         \
-                               vfolded};                                                         \
+                               vfolded,    turbulence_many, vfolded_many, four_octaves};         \
   }
 
 namespace {

@@ -18,6 +18,11 @@ struct NoiseKernels {
   void (*vturbulence_many)(const dvec3* points, std::size_t n, const Octaves& octaves, dvec3* out);
   void (*noise_octaves)(const dvec3& p, double lambda, int n, int generator, double* out);
   dvec3 (*vfolded)(const dvec3& p, int n);
+  void (*turbulence_many)(const dvec3* points, std::size_t n, const Octaves& octaves, int generator,
+                          double* out);
+  void (*vfolded_many)(const dvec3* points, std::size_t n, int octaves, dvec3* out);
+  void (*four_octaves)(const dvec3* points, int count, double lambda, int octaves, int generator,
+                       double* out);
 };
 
 /// What runs on every processor of the architecture.

@@ -26,12 +26,14 @@ template <>
 struct LaneInts<Double2> {
   static constexpr int lanes = 2;
   using Signed = std::int32_t __attribute__((vector_size(8)));
+  using Unsigned = std::uint32_t __attribute__((vector_size(8)));
   using Long = std::int64_t __attribute__((vector_size(16)));
 };
 template <>
 struct LaneInts<Double4> {
   static constexpr int lanes = 4;
   using Signed = std::int32_t __attribute__((vector_size(16)));
+  using Unsigned = std::uint32_t __attribute__((vector_size(16)));
   using Long = std::int64_t __attribute__((vector_size(32)));
 };
 
@@ -54,7 +56,7 @@ DURER_INLINE V to_doubles(typename LaneInts<V>::Signed n) {
 /// Generators 1 and 2: as table_axis().
 struct TableAxis {
   static constexpr std::uint32_t mask = lattice_size - 1;
-  static constexpr std::int32_t origin = 10000;
+  static constexpr std::uint32_t origin = 10000;
 
   template <class V>
   static DURER_INLINE typename LaneInts<V>::Signed cell(V& x) {
@@ -70,7 +72,7 @@ struct TableAxis {
 /// Generator 3: as gradient_axis().
 struct GradientAxis {
   static constexpr std::uint32_t mask = 2047;
-  static constexpr std::int32_t origin = 0;
+  static constexpr std::uint32_t origin = 0;
 
   template <class V>
   static DURER_INLINE typename LaneInts<V>::Signed cell(V& x) {
@@ -83,27 +85,47 @@ struct GradientAxis {
   }
 };
 
+/// Of as many coordinates as a register of V holds: their cells, and the weights.
+template <class V, class Axis>
+struct LaneWeights {
+  using Unsigned = typename LaneInts<V>::Unsigned;
+
+  Unsigned plane;  // of the lattice, below; not masked
+  V below, below_slope, above, above_slope;
+
+  explicit DURER_INLINE LaneWeights(V x) {
+    plane = Unsigned(Axis::template cell<V>(x)) + Axis::origin;
+    above = x * x * (3 - 2 * x);
+    below = 1 - above;
+    below_slope = below * x;
+    above_slope = above * (x - 1);
+  }
+  /// Puts them where lanes of NoiseLanes are, from `i` on.
+  DURER_INLINE void store(NoiseLanes& out, int i) const {
+    put(below, out.below + i);
+    put(below_slope, out.below_slope + i);
+    put(above, out.above + i);
+    put(above_slope, out.above_slope + i);
+    put(plane & Axis::mask, out.index + i);
+    put((plane + 1) & Axis::mask, out.next_index + i);
+  }
+
+ private:
+  // By value: whose address is taken would be kept in memory.
+  template <class From, class To>
+  static DURER_INLINE void put(From from, To* to) {
+    std::memcpy(to, &from, sizeof from);
+  }
+};
+
 /// The lanes of four coordinates.
 template <class V, class Axis>
 DURER_INLINE void fill(NoiseLanes& out, const double* x) {
   constexpr int lanes = LaneInts<V>::lanes;
   for (int i = 0; i < 4; i += lanes) {
-    V f;
-    std::memcpy(&f, x + i, sizeof f);
-    const auto n = Axis::template cell<V>(f);
-    const V s = f * f * (3 - 2 * f);
-    const V u = 1 - s;
-    const V below_slope = u * f;
-    const V above_slope = s * (f - 1);
-    std::memcpy(out.below + i, &u, sizeof u);
-    std::memcpy(out.below_slope + i, &below_slope, sizeof u);
-    std::memcpy(out.above + i, &s, sizeof s);
-    std::memcpy(out.above_slope + i, &above_slope, sizeof s);
-    for (int k = 0; k < lanes; ++k) {
-      const auto index = static_cast<std::uint32_t>(n[k]) + Axis::origin;
-      out.index[i + k] = index & Axis::mask;
-      out.next_index[i + k] = (index + 1) & Axis::mask;
-    }
+    V some;
+    std::memcpy(&some, x + i, sizeof some);
+    LaneWeights<V, Axis>(some).store(out, i);
   }
 }
 

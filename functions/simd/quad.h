@@ -46,6 +46,13 @@ struct WideQuad {
     std::memcpy(&r.v, p, sizeof r.v);
     return r;
   }
+  /// Four times the number at `p`.
+  static DURER_INLINE WideQuad all(const double* p) {
+#if defined(__x86_64__) && !defined(__clang__)
+    return {__builtin_ia32_vbroadcastsd256(p)};  // GCC would load it into a half, and shuffle
+#endif
+    return {Double4{*p, *p, *p, *p}};
+  }
   DURER_INLINE WideQuad operator*(WideQuad o) const { return {v * o.v}; }
   DURER_INLINE WideQuad operator+(WideQuad o) const { return {v + o.v}; }
   DURER_INLINE WideQuad operator-(WideQuad o) const { return {v - o.v}; }
@@ -96,6 +103,10 @@ struct PairQuad {
     std::memcpy(&r.lo, p, sizeof r.lo);
     std::memcpy(&r.hi, p + 2, sizeof r.hi);
     return r;
+  }
+  static DURER_INLINE PairQuad all(const double* p) {
+    const Double2 two{*p, *p};
+    return {two, two};
   }
   DURER_INLINE PairQuad operator*(PairQuad o) const { return {lo * o.lo, hi * o.hi}; }
   DURER_INLINE PairQuad operator+(PairQuad o) const { return {lo + o.lo, hi + o.hi}; }

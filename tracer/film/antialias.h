@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/vec4.hpp>
+#include <span>
 #include <vector>
 
 #include "base/gamma.h"
@@ -26,12 +27,21 @@ struct Block {
   return static_cast<std::uint64_t>(b.right - b.left) * static_cast<unsigned>(b.bottom - b.top);
 }
 
+/// Where a sample is taken. Whole numbers are centres of pixels; `index` tells the samples of a pixel
+/// apart: 0 is its centre.
+struct Spot {
+  double x = 0;
+  double y = 0;
+  std::uint32_t index = 0;
+};
+
 struct AntialiasOptions {
   float threshold = 0.3F;
   int depth = 3;
   float jitter = 1;
   float gamma = 2.5F;
   GammaCurve working;  // of the scene's numbers
+  bool ahead = true;   // rows may be sampled before their pixels are compared
 };
 
 /// A sample, or several, and how comparisons see it.
@@ -60,16 +70,20 @@ class Antialias {
  public:
   explicit Antialias(const AntialiasOptions& options) : options_(options), compare_(options) {}
 
-  /// Renders `block`. `sample(x, y, i)`: the picture at a position where whole numbers are pixel
-  /// centres; i is 0 for the centre, 1… for the others. `put(x, y, pixel)` takes the results.
-  template <typename Sample, typename Put>
-  void render(const Block& block, const Sample& sample, const Put& put) {
+  /// Renders `block`. `take(spots, out)` sets out[i] to the picture at spots[i]; `put(x, y, pixel)`
+  /// takes the results.
+  template <typename Take, typename Put>
+  void render(const Block& block, const Take& take, const Put& put) {
     start(block);
-    for (int x = block.left; x < block.right; ++x)
-      take_centre(x, block.top - 1, sample).done = true;
+    take_centres(block.left, block.right, block.top - 1, take);
+    for (int x = block.left; x < block.right; ++x) cell(x, block.top - 1).done = true;
     for (int y = block.top; y < block.bottom; ++y) {
-      take_centre(block.left - 1, y, sample).done = true;
-      for (int x = block.left; x < block.right; ++x) visit(x, y, sample);
+      take_centres(block.left - 1, options_.ahead ? block.right : block.left, y, take);
+      cell(block.left - 1, y).done = true;
+      for (int x = block.left; x < block.right; ++x) {
+        if (!options_.ahead) take_centres(x, x + 1, y, take);
+        visit(x, y, take);
+      }
     }
     for (int y = block.top; y < block.bottom; ++y) {
       for (int x = block.left; x < block.right; ++x) put(x, y, cell(x, y).seen.value);
@@ -87,32 +101,38 @@ class Antialias {
     return cells_[static_cast<std::size_t>(y - top_) * stride_ + (x - left_)];
   }
 
-  template <typename Sample>
-  Cell& take_centre(int x, int y, const Sample& sample) {
-    Cell& c = cell(x, y);
-    c.seen = compare_.sampled(sample(x, y, 0U));
-    return c;
+  template <typename Take>
+  void take_spots(const Take& take) {
+    values_.resize(spots_.size());
+    take(std::span<const Spot>(spots_), values_.data());
+  }
+  template <typename Take>
+  void take_centres(int left, int right, int y, const Take& take) {
+    spots_.clear();
+    for (int x = left; x < right; ++x) spots_.push_back({double(x), double(y), 0});
+    take_spots(take);
+    for (const Pixel& value : values_) cell(left++, y).seen = compare_.sampled(value);
   }
 
   // Compares before any refinement; a neighbour that differs is refined as well, once.
-  template <typename Sample>
-  void visit(int x, int y, const Sample& sample) {
-    const Cell& here = take_centre(x, y, sample);
+  template <typename Take>
+  void visit(int x, int y, const Take& take) {
+    const Cell& here = cell(x, y);
     const bool left = compare_.differ(here.seen, cell(x - 1, y).seen);
     const bool above = compare_.differ(here.seen, cell(x, y - 1).seen);
-    if (left) refine(x - 1, y, sample);
-    if (above) refine(x, y - 1, sample);
-    if (left || above) refine(x, y, sample);
+    if (left) refine(x - 1, y, take);
+    if (above) refine(x, y - 1, take);
+    if (left || above) refine(x, y, take);
   }
 
-  template <typename Sample>
-  void refine(int x, int y, const Sample& sample) {
+  template <typename Take>
+  void refine(int x, int y, const Take& take) {
     Cell& c = cell(x, y);
     if (c.done) return;
     const int n = options_.depth;
     const double step = 1.0 / n;
     const double start = -(0.5 - step / 2);
-    Pixel sum = c.seen.value;
+    spots_.clear();
     std::uint32_t index = 0;
     for (int j = 0; j < n; ++j) {
       for (int i = 0; i < n; ++i) {
@@ -121,9 +141,12 @@ class Antialias {
         if (options_.jitter > 0) {
           at += jitter(at.x, at.y) * (static_cast<double>(options_.jitter) / n);
         }
-        sum += sample(at.x, at.y, ++index);
+        spots_.push_back({at.x, at.y, ++index});
       }
     }
+    take_spots(take);
+    Pixel sum = c.seen.value;
+    for (const Pixel& value : values_) sum += value;
     c.seen = compare_.sampled(sum / static_cast<float>(n * n + 1));
     c.done = true;
   }
@@ -131,6 +154,8 @@ class Antialias {
   AntialiasOptions options_;
   Comparison compare_;
   std::vector<Cell> cells_;
+  std::vector<Spot> spots_;  // that are being sampled …
+  std::vector<Pixel> values_;  // … and what is seen there
   int left_ = 0;
   int top_ = 0;
   int stride_ = 0;

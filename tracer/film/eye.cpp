@@ -1,9 +1,11 @@
 #include "tracer/film/eye.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <new>
 #include <utility>
 
 #include "tracer/sobol.h"
@@ -78,6 +80,36 @@ Pixel Eye::see_all(double x, double y, std::uint32_t index) {
   });
 }
 
+void Eye::see(std::span<const Spot> spots, Pixel* out) {
+  if (!view_->direct || view_->scene->quality.path) {
+    for (const Spot& spot : spots) *out++ = see(spot.x, spot.y, spot.index);
+    return;
+  }
+  samples_.resize(Tracer::most_together);
+  std::array<Pixel*, Tracer::most_together> pixels;
+  while (!spots.empty()) {
+    std::size_t count = 0;
+    const auto some = spots.first(std::min(spots.size(), Tracer::most_together));
+    for (const Spot& spot : some) {
+      Pixel& pixel = *out++;
+      CameraRay ray;
+      if (!camera_ray(spot.x, spot.y, 0, ray)) {
+        pixel = nothing;
+        continue;
+      }
+      Sample& sample = samples_[count];
+      sample.noise = seed(spot.x, spot.y, spot.index);
+      start(ray, *::new (&sample.path) Path);  // made in place
+      pixels[count++] = &pixel;
+    }
+    tracer_.trace(std::span(samples_).first(count));
+    for (std::size_t i = 0; i < count; ++i) {
+      *pixels[i] = Pixel(samples_[i].seen.colour, samples_[i].seen.transmittance);
+    }
+    spots = spots.subspan(some.size());
+  }
+}
+
 Pixel Eye::sample(int x, int y, std::uint32_t index) {
   const auto column = static_cast<std::uint32_t>(x);
   const auto row = static_cast<std::uint32_t>(y);
@@ -131,6 +163,14 @@ Pixel Eye::through_lens(dvec2 at, dvec2 pixel, std::uint32_t index, int sample) 
 Pixel Eye::look_along(const CameraRay& ray, double x, double y, std::uint32_t index) {
   scratch_.noise = seed(x, y, index);
   Path path;
+  start(ray, path);
+  const auto pixel = [](const Radiance& r) { return Pixel(r.colour, r.transmittance); };
+  if (view_->scene->quality.path) return pixel(paths_.trace(path, random_));
+  return pixel(tracer_.trace(std::move(path)));
+}
+
+/// A path as it leaves the camera.
+void Eye::start(const CameraRay& ray, Path& path) {
   path.ray = {ray.ray.o, unit(ray.ray.d)};
   if (view_->bump != scene::none) {
     const dvec3 place(ray.plane.x, ray.plane.y, 0);
@@ -142,9 +182,6 @@ Pixel Eye::look_along(const CameraRay& ray, double x, double y, std::uint32_t in
   } else if (view_->bodies_matter) {
     find_around(path.ray.o, path.inside);
   }
-  const auto pixel = [](const Radiance& r) { return Pixel(r.colour, r.transmittance); };
-  if (view_->scene->quality.path) return pixel(paths_.trace(path, random_));
-  return pixel(tracer_.trace(std::move(path)));
 }
 
 /// Parallel rays follow each other, and a root and a division are what their pixels wait for.

@@ -1,7 +1,11 @@
 // One sample of the picture: through camera and lens into the scene (shading §2).
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "tracer/cameras/camera.h"
+#include "tracer/film/antialias.h"
 #include "tracer/film/lens.h"
 #include "tracer/render.h"
 #include "tracer/shading/normal.h"
@@ -40,6 +44,8 @@ class Eye {
   [[nodiscard]] Pixel see(double x, double y, std::uint32_t index) {
     return view_->direct ? see_directly(x, y, index) : see_all(x, y, index);
   }
+  /// The same at several spots, which is faster where these are neighbours.
+  void see(std::span<const Spot> spots, Pixel* out);
 
   /// One random path from somewhere in the pixel, and through somewhere of the lens.
   [[nodiscard]] Pixel sample(int x, int y, std::uint32_t index);
@@ -59,6 +65,7 @@ class Eye {
   Pixel plain(double x, double y, std::uint32_t index);
   [[nodiscard]] Pixel through_lens(dvec2 at, dvec2 pixel, std::uint32_t index, int sample);
   [[nodiscard]] Pixel look_along(const CameraRay& ray, double x, double y, std::uint32_t index);
+  void start(const CameraRay& ray, Path& path);
   void find_around(const dvec3& p, Containment& inside);
   [[nodiscard]] dvec3 unit(const dvec3& d);
 
@@ -68,6 +75,7 @@ class Eye {
   PathTracer paths_;
   SobolSampler random_;
   functions::Workspace workspace_;
+  std::vector<Sample> samples_;  // that are taken together
   dvec3 last_d_{0.0};  // the camera's direction of the last ray …
   dvec3 last_unit_{0.0};  // … and the same with unit length
 };

@@ -43,7 +43,9 @@ std::vector<Block> blocks_of(const RenderOptions& options) {
 }
 
 AntialiasOptions antialias_options(const CompiledScene& scene, const RenderOptions& o) {
-  return {o.aa_threshold, o.aa_depth, o.aa_jitter, o.aa_gamma, scene.scene->settings.assumed_gamma};
+  // What radiosity finds depends on the order of samples.
+  return {o.aa_threshold, o.aa_depth, o.aa_jitter, o.aa_gamma, scene.scene->settings.assumed_gamma,
+          !scene.radiosity};
 }
 
 // Renders blocks on one thread.
@@ -64,10 +66,18 @@ class BlockRenderer {
     const auto put = [this](int x, int y, const Pixel& p) { store(x, y, p); };
     if (options_->antialias) {
       if (options_->aa_method == 2) return adaptive_.render(block, take, put);
-      return antialias_.render(block, take, put);
+      const auto take_all = [this](std::span<const Spot> spots, Pixel* out) {
+        eye_.see(spots, out);
+      };
+      return antialias_.render(block, take_all, put);
     }
     for (int y = block.top; y < block.bottom; ++y) {
-      for (int x = block.left; x < block.right; ++x) store(x, y, eye_.see(x, y, 0));
+      row_.clear();
+      for (int x = block.left; x < block.right; ++x) row_.push_back({double(x), double(y), 0});
+      pixels_.resize(row_.size());
+      eye_.see(row_, pixels_.data());
+      int x = block.left;
+      for (const Pixel& pixel : pixels_) store(x++, y, pixel);
     }
   }
 
@@ -85,6 +95,8 @@ class BlockRenderer {
   Eye eye_;
   Antialias antialias_;
   AdaptiveAntialias adaptive_;
+  std::vector<Spot> row_;
+  std::vector<Pixel> pixels_;
 };
 
 std::vector<PretraceTile> tiles_of(const Block& part) {

@@ -73,6 +73,8 @@ Light compile_light(const scene::Light& in, bool areas) {
   light.tightness = in.tightness;
   light.fade_distance = in.fade_distance;
   light.fade_power = in.fade_power;
+  light.weakened = in.kind != Kind::point || in.fade_power > 0;
+  light.plain = !light.has_area && !in.shadowless;
   light.media_interaction = in.media_interaction;
   light.photons = in.photons;
   return light;
@@ -102,13 +104,6 @@ double attenuation(const Light& light, const Incidence& in, dvec3 p) {
     a *= 2 / (1 + std::pow(in.distance / light.fade_distance, light.fade_power));
   }
   return a;
-}
-
-Incidence incidence(const Light& light, dvec3 p) {
-  Incidence in = direction_to(light, dvec3(0.0), p);
-  if (in.l == dvec3(0.0)) return in;
-  in.colour = static_cast<float>(attenuation(light, in, p)) * light.colour;
-  return in;
 }
 
 }  // namespace durer::tracer

@@ -21,6 +21,8 @@ struct Light {
   bool shadowless = false;
   bool dimmed_by_air = false;  // fog and atmospheric media weaken it
   bool has_area = false;
+  bool weakened = false;  // by a cone, a beam or fading
+  bool plain = false;     // a point that casts shadows, with nothing to shine through
   double radius = 0;   // spotlight: cosine of the angle; cylinder: a length
   double falloff = 0;  // likewise
   double tightness = 0;
@@ -42,7 +44,6 @@ struct Incidence {
   vec3 colour{0.0F};    // after attenuation, before shadows
 };
 
-[[nodiscard]] Incidence incidence(const Light& light, dvec3 p);
 /// Where a lamp at `position` shines to; unit.
 [[nodiscard]] dvec3 axis_from(const Light& light, dvec3 position);
 /// The same as `incidence` for one sample of a lamp's area, `offset` from its centre. Without colour.
@@ -62,6 +63,17 @@ struct Incidence {
 }
 /// Share of the colour that arrives at `p`, before shadows: cones and fading.
 [[nodiscard]] double attenuation(const Light& light, const Incidence& in, dvec3 p);
+/// A lamp, or the centre of one, from `p`.
+[[nodiscard]] inline Incidence incidence(const Light& light, const dvec3& p) {
+  Incidence in = direction_to(light, dvec3(0.0), p);
+  if (in.l == dvec3(0.0)) return in;
+  in.colour = light.colour;
+  if (light.weakened) {
+    const Incidence kept = in;  // `in` itself may stay in registers
+    in.colour *= static_cast<float>(attenuation(light, kept, p));
+  }
+  return in;
+}
 
 /// A lamp's grid of samples, as one lit point sees it.
 struct AreaGrid {

@@ -24,7 +24,16 @@ struct Agate {
     octaves = context.octaves;
   }
   double operator()(dvec3 p) const {
-    const double t = amount * functions::turbulence(p, octaves, generator);
+    return band(p, functions::turbulence(p, octaves, generator));
+  }
+  void evaluate(std::span<const dvec3> points, double* values) const {
+    functions::turbulence(points, octaves, generator, {values, points.size()});
+    for (std::size_t i = 0; i < points.size(); ++i) values[i] = band(points[i], values[i]);
+  }
+
+ private:
+  double band(const dvec3& p, double turbulence) const {
+    const double t = amount * turbulence;
     const double n = 0.5 * (functions::cycloidal(1.3 * t + 1.1 * p.z) + 1);
     return n < 0 ? 0 : std::pow(std::min(1.0, n), 0.77);
   }

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "tracer/patterns/noise_pattern.h"
 
 namespace durer::tracer::patterns {
@@ -6,6 +8,14 @@ namespace {
 struct Bumps : NoisePattern {
   dvec3 perturb(dvec3 p, dvec3 n, double amount) const {
     return n + amount * functions::vnoise(p);
+  }
+  void perturb(std::span<const dvec3> points, dvec3* normals, double amount) const {
+    std::array<dvec3, 16> bumps;
+    for (std::size_t done = 0; done < points.size(); done += bumps.size()) {
+      const auto some = points.subspan(done, std::min(bumps.size(), points.size() - done));
+      functions::vnoise(some, std::span(bumps).first(some.size()));
+      for (std::size_t i = 0; i < some.size(); ++i) *normals++ += amount * bumps[i];
+    }
   }
 };
 

@@ -20,10 +20,26 @@ struct Granite {
   double operator()(dvec3 p) const {
     std::array<double, 8> noise;
     functions::noise_octaves(4.0 * p, 2, octaves, generator, noise.data());
+    return sum(noise.data(), 1);
+  }
+  void evaluate(std::span<const dvec3> points, double* values) const {
+    std::array<double, 4 * octaves> noise;
+    for (std::size_t done = 0; done < points.size(); done += 4) {
+      const std::size_t count = std::min<std::size_t>(4, points.size() - done);
+      std::array<dvec3, 4> scaled;
+      for (std::size_t i = 0; i < count; ++i) scaled[i] = 4.0 * points[done + i];
+      functions::noise_octaves(std::span(scaled).first(count), 2, octaves, generator, noise.data());
+      for (std::size_t i = 0; i < count; ++i) values[done + i] = sum(&noise[i], 4);
+    }
+  }
+
+ private:
+  // Of octaves that lie `step` numbers behind each other.
+  double sum(const double* noise, int step) const {
     double sum = 0;
     double weight = 1;
     for (int i = 0; i < octaves; ++i, weight /= 2) {
-      const double n = noise[static_cast<std::size_t>(i)];
+      const double n = noise[i * step];
       sum += weight * (generator < 2 ? std::abs(0.5 - n) : std::min(std::abs(1 - 2 * n), 0.5));
     }
     return sum;

@@ -21,6 +21,17 @@ struct Marble {
   double operator()(dvec3 p) const {
     return amount == 0 ? p.x : p.x + amount * functions::turbulence(p, octaves, generator);
   }
+  void evaluate(std::span<const dvec3> points, double* values) const {
+    if (amount == 0) {
+      for (const dvec3& p : points) *values++ = p.x;
+      return;
+    }
+    functions::turbulence(points, octaves, generator, {values, points.size()});
+    for (const dvec3& p : points) {
+      *values = p.x + amount * *values;
+      ++values;
+    }
+  }
 };
 
 constexpr std::array default_map{

@@ -58,12 +58,16 @@ struct PatternType : scene::PatternInfo {
   /// Bumps of a kind of their own: what becomes of the normal `n` at `p`. Null: the slope of
   /// `evaluate` makes the bumps.
   dvec3 (*perturb)(const PatternState& state, const dvec3& p, const dvec3& n, double amount) = nullptr;
+  /// The same at several points, for a normal each, in place.
+  void (*perturb_all)(const PatternState& state, std::span<const dvec3> points, dvec3* normals,
+                      double amount) = nullptr;
   /// Colours of a pattern that has some instead of a value. Null: it has a value.
   Colour (*colour)(const PatternState& state, const dvec3& p) = nullptr;
   /// False where such a pattern shows nothing; null: it shows something everywhere.
   bool (*covers)(const PatternState& state, const dvec3& p) = nullptr;
   /// True if the colours of such a pattern never let light through.
   bool (*opaque)(const PatternState& state) = nullptr;
+  bool asks_view = false;       // its value depends on more than the place
   bool own_turbulence = false;  // does itself what `turbulence` outside of any warp asks for
   std::span<const PatternSample> samples;
 };
@@ -85,9 +89,12 @@ void prepare(std::span<const double> args, const PatternContext& context, Patter
 }
 
 template <typename P>
+concept AsksView = requires(const P& pattern, const SurfaceView* view) { pattern(dvec3(), view); };
+
+template <typename P>
 double evaluate(const PatternState& state, const dvec3& p,
                 [[maybe_unused]] const SurfaceView* view) {
-  if constexpr (requires(const P& pattern) { pattern(p, view); }) {
+  if constexpr (AsksView<P>) {
     return state.as<P>()(p, view);
   } else {
     return state.as<P>()(p);
@@ -129,6 +136,18 @@ template <typename P>
 dvec3 perturb(const PatternState& state, const dvec3& p, const dvec3& n, double amount) {
   return state.as<P>().perturb(p, n, amount);
 }
+template <typename P>
+void perturb_all(const PatternState& state, std::span<const dvec3> points, dvec3* normals,
+                 double amount) {
+  const P& pattern = state.as<P>();
+  if constexpr (requires { pattern.perturb(points, normals, amount); }) {
+    pattern.perturb(points, normals, amount);
+  } else {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      normals[i] = pattern.perturb(points[i], normals[i], amount);
+    }
+  }
+}
 
 }  // namespace detail
 
@@ -153,8 +172,9 @@ struct PatternTraits {
 /// Describes the pattern P: default members, `operands` (optional), `samples`, an optional
 /// `prepare()` for what depends on operands alone (or `prepare(context)`), and
 /// `double operator()(dvec3) const`, which may take a `const SurfaceView*` too. An optional
-/// `dvec3 perturb(dvec3 p, dvec3 n, double amount) const` is its form as a normal, an optional
-/// `void evaluate(std::span<const dvec3>, double*) const` a faster one for several points.
+/// `dvec3 perturb(dvec3 p, dvec3 n, double amount) const` is its form as a normal. Faster forms for
+/// several points are optional: `void evaluate(std::span<const dvec3>, double*) const` and
+/// `void perturb(std::span<const dvec3>, dvec3* normals, double amount) const`.
 template <typename P>
 constexpr PatternType describe_pattern(std::string_view name, std::string_view doc,
                                        PatternTraits traits) {
@@ -177,7 +197,11 @@ constexpr PatternType describe_pattern(std::string_view name, std::string_view d
   type.only_pigment = traits.only_pigment;
   type.only_normal = traits.only_normal;
   type.only_texture = traits.only_texture;
-  if constexpr (detail::Perturbs<P>) type.perturb = &detail::perturb<P>;
+  type.asks_view = detail::AsksView<P>;
+  if constexpr (detail::Perturbs<P>) {
+    type.perturb = &detail::perturb<P>;
+    type.perturb_all = &detail::perturb_all<P>;
+  }
   if constexpr (detail::Paints<P>) {
     type.colour = &detail::colour<P>;
     type.covers = &detail::covers<P>;

@@ -22,8 +22,16 @@ namespace durer::tracer {
 [[nodiscard]] inline double remainder(double x, double m) {
   const double size = std::abs(x);
   if (size < m) return x;
-  if (size < 2 * m) return x < 0 ? -(size - m) : size - m;  // exact: both have the same size
-  return std::fmod(x, m);
+  const double quotient = size / m;
+  if (!(quotient < 0x1p23)) return std::fmod(x, m);
+  // 24 bits times the upper 24 or the lower 29 of m are exact, and so are the differences: the first
+  // is about as long as x, the second is the result.
+  const double upper = static_cast<float>(m);
+  const auto whole = static_cast<double>(static_cast<std::int32_t>(quotient));
+  double r = size - whole * upper - whole * (m - upper);
+  if (r < 0) r += m;  // division had rounded up
+  if (r >= m) r -= m;
+  return x < 0 ? -r : r;
 }
 
 }  // namespace durer::tracer

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "tracer/patterns/pattern_type.h"
@@ -19,14 +20,27 @@ struct Wood {
     octaves = context.octaves;
   }
   double operator()(dvec3 p) const {
-    double x = p.x;
-    double y = p.y;
-    if (amount.x != 0 || amount.y != 0) {
-      const dvec3 d = functions::vturbulence(p, octaves);
-      x += functions::cycloidal((p.x + d.x) * amount.x);
-      y += functions::cycloidal((p.y + d.y) * amount.y);
+    if (amount.x == 0 && amount.y == 0) return radius(p.x, p.y);
+    return shifted(p, functions::vturbulence(p, octaves));
+  }
+  void evaluate(std::span<const dvec3> points, double* values) const {
+    std::array<dvec3, 16> d;
+    for (; !points.empty(); points = points.subspan(std::min(d.size(), points.size()))) {
+      const auto some = points.first(std::min(d.size(), points.size()));
+      if (amount.x == 0 && amount.y == 0) {
+        for (const dvec3& p : some) *values++ = radius(p.x, p.y);
+        continue;
+      }
+      functions::vturbulence(some, octaves, std::span(d).first(some.size()));
+      for (std::size_t i = 0; i < some.size(); ++i) *values++ = shifted(some[i], d[i]);
     }
-    return std::sqrt(x * x + y * y);
+  }
+
+ private:
+  static double radius(double x, double y) { return std::sqrt(x * x + y * y); }
+  double shifted(const dvec3& p, const dvec3& d) const {
+    return radius(p.x + functions::cycloidal((p.x + d.x) * amount.x),
+                  p.y + functions::cycloidal((p.y + d.y) * amount.y));
   }
 };
 

@@ -51,6 +51,21 @@ dvec3 NormalStore::at(NormalId id, const dvec3& p, const dvec3& n, const Surface
   return node.frame.leave(perturbed(node, patterns_.warp(node.pattern, place), inner, view));
 }
 
+void NormalStore::at(NormalId id, std::span<dvec3> points, dvec3* normals) const {
+  const Node& node = nodes_[id];
+  if (node.pattern.type == nullptr) return;
+  for (std::size_t i = 0; i < points.size(); ++i) normals[i] = node.frame.enter(normals[i]);
+  patterns_.warp(node.pattern, points);
+  if (node.first_entry == node.end_entry && node.pattern.type->perturb != nullptr) {
+    node.pattern.type->perturb_all(node.pattern.state, points, normals, node.amount);
+  } else {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      normals[i] = perturbed(node, points[i], normals[i], nullptr);
+    }
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) normals[i] = node.frame.leave(normals[i]);
+}
+
 dvec3 NormalStore::perturbed(const Node& node, const dvec3& p, const dvec3& n,
                              const SurfaceView* view) const {
   const PatternType& type = *node.pattern.type;
@@ -92,15 +107,29 @@ dvec3 NormalStore::slide(const Node& node, const dvec3& p, const dvec3& n,
   };
   const double size = node.accuracy;
   const double amount = node.amount * -5.0 * (0.02 / size);
+  std::array<dvec3, corners.size()> around;
+  for (std::size_t i = 0; i < corners.size(); ++i) around[i] = p + size * corners[i];
+  std::array<double, corners.size()> height;
+  heights(node, around, view, height.data());
   dvec3 slid = n;
-  for (const dvec3& v : corners) slid += amount * height(node, p + size * v, view) * v;
+  for (std::size_t i = 0; i < corners.size(); ++i) slid += amount * height[i] * corners[i];
   return slid;
 }
 
-// The pattern's value, through the slope map if there is one (textures §13.3).
-double NormalStore::height(const Node& node, const dvec3& p, const SurfaceView* view) const {
-  const double value = PatternStore::value(node.pattern, p, view);
-  if (node.first_slope == node.end_slope) return value;
+void NormalStore::heights(const Node& node, std::span<const dvec3> points, const SurfaceView* view,
+                          double* out) const {
+  if (!node.pattern.type->asks_view) {
+    PatternStore::values(node.pattern, points, out);
+  } else {
+    double* value = out;
+    for (const dvec3& p : points) *value++ = PatternStore::value(node.pattern, p, view);
+  }
+  if (node.first_slope == node.end_slope) return;
+  for (std::size_t i = 0; i < points.size(); ++i) out[i] = height(node, out[i]);
+}
+
+// The slope map (textures §13.3).
+double NormalStore::height(const Node& node, double value) const {
   const std::span slopes(&slopes_[node.first_slope], node.end_slope - node.first_slope);
   const auto found = find_neighbours(slopes, value);
   const double h0 = found.lower->height;

@@ -52,6 +52,11 @@ class NormalStore {
   [[nodiscard]] dvec3 at(NormalId id, const dvec3& p, const dvec3& n,
                          const SurfaceView* view) const;
 
+  /// The same at several points, for a normal each, in place. `points` are moved about meanwhile.
+  /// Not for what asks for a view, or is looked up at (u, v, 0).
+  static constexpr std::size_t most_points = 16;
+  void at(NormalId id, std::span<dvec3> points, dvec3* normals) const;
+
  private:
   struct Entry {
     float key;
@@ -77,7 +82,9 @@ class NormalStore {
                             const SurfaceView* view) const;
   [[nodiscard]] dvec3 slide(const Node& node, const dvec3& p, const dvec3& n,
                             const SurfaceView* view) const;
-  [[nodiscard]] double height(const Node& node, const dvec3& p, const SurfaceView* view) const;
+  void heights(const Node& node, std::span<const dvec3> points, const SurfaceView* view,
+               double* out) const;
+  [[nodiscard]] double height(const Node& node, double value) const;
 
   PatternStore patterns_;
   std::vector<Node> nodes_;

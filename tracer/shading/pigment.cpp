@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <new>
 
 #include "tracer/patterns/map_search.h"
 
@@ -48,6 +49,9 @@ PigmentId PigmentStore::add(const scene::Pigment& pigment, const Transform& to_w
   node.first_entry = static_cast<std::uint32_t>(entries_.size());
   entries_.insert(entries_.end(), entries.begin(), entries.end());
   node.end_entry = static_cast<std::uint32_t>(entries_.size());
+  node.flat = !entries.empty() && !node.pattern.type->averages &&
+              std::all_of(entries.begin(), entries.end(),
+                          [](const Entry& e) { return e.child == scene::none; });
   nodes_[id] = node;
   return id;
 }
@@ -75,8 +79,13 @@ void PigmentStore::at(PigmentId id, std::span<dvec3> points, Colour* out) const 
   }
   std::array<double, most_points> values;
   PatternStore::values(node.pattern, points, values.data());
+  if (node.flat) {
+    const std::span entries(&entries_[node.first_entry], node.end_entry - node.first_entry);
+    for (std::size_t i = 0; i < points.size(); ++i) blend(entries, values[i], out[i]);
+    return;
+  }
   for (std::size_t i = 0; i < points.size(); ++i) {
-    out[i] = select(node, values[i], points[i], nullptr);
+    ::new (out + i) Colour(select(node, values[i], points[i], nullptr));  // made in place
   }
 }
 
@@ -101,6 +110,15 @@ double PigmentStore::pattern_value(PigmentId id, dvec3 p) const {
   const Node& node = nodes_[id];
   if (node.pattern.type == nullptr) return 0;
   return PatternStore::value(node.pattern, patterns_.warp(node.pattern, p));
+}
+
+void PigmentStore::blend(std::span<const Entry> entries, double value, Colour& out) {
+  const auto found = find_neighbours(entries, value);
+  if (found.single()) {
+    ::new (&out) Colour(found.lower->colour);
+  } else {
+    ::new (&out) Colour(mix(found.lower->colour, found.upper->colour, found.t));
+  }
 }
 
 Colour PigmentStore::select(const Node& node, double value, const dvec3& p,

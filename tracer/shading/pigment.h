@@ -54,12 +54,14 @@ class PigmentStore {
     std::uint32_t first_entry = 0;
     std::uint32_t end_entry = 0;
     bool by_uv = false;  // looked up at (u, v, 0)
+    bool flat = false;   // its entries are colours, and chosen by a value
   };
 
   [[nodiscard]] static const dvec3& place(const Node& node, const dvec3& p,
                                           const SurfaceView* view) {
     return node.by_uv && view != nullptr ? view->uv : p;
   }
+  static void blend(std::span<const Entry> entries, double value, Colour& out);
   [[nodiscard]] Colour select(const Node& node, double value, const dvec3& warped,
                               const SurfaceView* view) const;
   [[nodiscard]] Colour average(std::span<const Entry> entries, const dvec3& p,

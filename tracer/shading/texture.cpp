@@ -3,7 +3,23 @@
 #include <algorithm>
 #include <bit>
 
+#include "tracer/patterns/patterns.h"
+
 namespace durer::tracer {
+namespace {
+
+bool asks_view(const scene::Pattern& pattern) {
+  return pattern.exists() && pattern_types()[pattern.type]->asks_view;
+}
+template <typename Look>  // Pigment or Normal
+bool asks_view(const Look& look) {
+  return asks_view(*look.pattern) ||
+         std::any_of(look.children.begin(), look.children.end(),
+                     [](const Look& child) { return asks_view(child); });
+}
+
+}  // namespace
+
 std::size_t TextureStore::KeyHash::operator()(const Key& key) const {
   std::uint64_t h = key.texture;
   for (const dvec3& row : {key.placement.x, key.placement.y, key.placement.z, key.placement.t}) {
@@ -46,14 +62,18 @@ TextureProgram TextureStore::compile_layers(scene::TextureId id, const Transform
     out.finish = finish + static_cast<std::uint32_t>(i);
     out.pigment = pigments_.add(*layer.pigment, placement);
     program.uses_uv = program.uses_uv || scene::uses_uv(*layer.pigment);
+    program.asks_view = program.asks_view || asks_view(*layer.pigment);
     if (quality_.normals && layer.normal->pattern->exists()) {
       out.normal = normals_.add(*layer.normal, placement);
       program.uses_uv = program.uses_uv || scene::uses_uv(*layer.normal);
+      program.asks_view = program.asks_view || asks_view(*layer.normal);
     }
     layers_.push_back(out);
     program.opaque = program.opaque || pigments_.opaque(out.pigment);
   }
   program.end_layer = static_cast<std::uint32_t>(layers_.size());
+  program.plain = program.opaque && texture.layers.size() == 1 &&
+                  !finishes_[finish].reflects && finishes_[finish].translucency == vec3(0.0F);
   return program;
 }
 

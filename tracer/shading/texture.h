@@ -35,6 +35,8 @@ struct TextureProgram {
   std::uint32_t choice = scene::none;  // index of a TextureChoice
   bool opaque = false;                 // it can never let light through
   bool uses_uv = false;                // some of it is looked up at (u, v, 0)
+  bool plain = false;      // one opaque layer that neither mirrors nor lets light in
+  bool asks_view = false;  // some of it depends on more than the place: the ray, the normal
 
   [[nodiscard]] bool patterned() const { return choice != scene::none; }
 };

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <new>
 
+#include "functions/simd/inline.h"
 #include "tracer/transport/trace.h"
 
 namespace durer::tracer {
@@ -14,6 +16,17 @@ namespace durer::tracer {
 [[nodiscard]] inline bool nearly_equal(dvec3 a, dvec3 b) {
   const dvec3 e = glm::abs(a - b);
   return e.x < epsilon && e.y < epsilon && e.z < epsilon;
+}
+
+/// Layer `number` of a texture, which may be kept in `n` and `colour`. Afterwards `seen` has the
+/// normal as patterns of the layer see it.
+DURER_INLINE Tracer::LayerLook Tracer::look_at(const View& view, std::uint32_t number,
+                                               SurfaceView& seen, dvec3& n, Colour& colour) const {
+  if (number < view.known.size()) return view.known[number];
+  const LayerProgram& layer = scene_->textures.layer(view.texture->first_layer + number);
+  n = layer.normal == scene::none ? view.g : bend(view, layer, seen);
+  ::new (&colour) Colour(scene_->textures.pigments().at(layer.pigment, view.q, &seen));
+  return {&n, &colour};
 }
 
 /// Calls `visit(layer, sum)` for each layer while those before it let more than `least` through;
@@ -27,10 +40,12 @@ Tracer::LayerSum Tracer::walk_layers(const View& view, float least, const Visit&
   const std::uint32_t first = view.texture->first_layer;
   for (std::uint32_t i = first; i < view.texture->end_layer && sum.sigma > least; ++i) {
     const LayerProgram& program = textures.layer(i);
-    const dvec3 n = program.normal == scene::none ? view.g : bend(view, program, seen);
-    if (i == first) sum.top = n;
-    const Colour c = textures.pigments().at(program.pigment, view.q, &seen);
-    const LayerPoint layer{&textures.finish(program), opacity(c), n, c.rgb};
+    dvec3 kept_n;
+    Colour kept;
+    const LayerLook own = look_at(view, i - first, seen, kept_n, kept);
+    const Colour& c = *own.colour;
+    if (i == first) sum.top = *own.n;
+    const LayerPoint layer{&textures.finish(program), opacity(c), *own.n, c.rgb};
     const vec3 rho = visit(layer, sum);
     sum.through *= c.transmission();
     if (layer.finish->conserve_energy) sum.through *= glm::min(vec3(1.0F), 1.0F - rho);

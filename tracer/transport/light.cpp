@@ -1,33 +1,10 @@
 // Light that lamps throw onto a layer (shading §4.4-4.7).
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <new>
 
-#include "functions/simd/inline.h"
-#include "tracer/random.h"
-#include "tracer/transport/trace.h"
+#include "tracer/transport/lamps.h"
 
 namespace durer::tracer {
-
-// Inline, and by reference: nearly all lamps are asked from illuminate(), once for every layer.
-DURER_INLINE vec3 Tracer::shade_from(const View& view, const LayerPoint& layer, const dvec3& l,
-                                     const vec3& light, Facing facing) const {
-  const Finish& f = *layer.finish;
-  const double cosine = glm::dot(layer.n, l);
-  vec3 sum(0.0F);
-  const float k = facing.backside ? f.diffuse_back : f.diffuse;
-  if (k > 0) {
-    const double bright = f.brilliance.of(std::abs(cosine));
-    float intensity = static_cast<float>(bright) * k * layer.opacity;
-    if (facing.grain && f.crand > 0) intensity -= random_unit(scratch_->noise) * f.crand;
-    sum = intensity * layer.pigment * light;
-  }
-  if (f.highlights && !view.gathering && !facing.backside && facing.highlights) {
-    sum += highlight(f, view.d, layer.n, l, layer.pigment) * light;
-  }
-  if (f.irid > 0) sum *= iridescence(f, view.p, cosine, glm::dot(layer.n, view.d));
-  return sum;
-}
 
 vec3 Tracer::illuminate(const View& view, const Path& path, const LayerPoint& layer,
                         bool first_lit) {
@@ -40,8 +17,7 @@ vec3 Tracer::illuminate(const View& view, const Path& path, const LayerPoint& la
     const bool hidden = is_behind(view, layer, lamp.in.l);
     if (hidden && !spread && layer.finish->diffuse_back == 0) continue;
     if (!lamp.shadow_known) {
-      lamp.shadowed =
-          shadowed(light, lamp.in, view.p, path.inside, {view.gathering, view.collects});
+      lamp.shadowed = arriving(view, path.inside, light, lamp.in);
       lamp.shadow_known = true;
     }
     if (dark(lamp.shadowed)) continue;
@@ -52,15 +28,10 @@ vec3 Tracer::illuminate(const View& view, const Path& path, const LayerPoint& la
   return sum;
 }
 
-// Its whole area shines, not only its centre.
-bool Tracer::spreads(const Light& light, const View& view) {
-  return light.has_area && light.area.illumination && !view.gathering;
-}
-
 // The lamps whose light gets to the point, as far as nothing is in its way.
 void Tracer::find_lamps(const View& view) {
   scratch_->lit.clear();
-  for (const std::uint32_t i : scene_->geometry.lamp_sets()[view.lamps]) {
+  for (const std::uint32_t i : lamp_sets_[view.lamps]) {
     if (!scene_->reaches[i].contains(view.p)) continue;
     const Light& light = scene_->lights[i];
     // Made in place: copying what was written just now in smaller pieces keeps a processor waiting.
@@ -69,10 +40,6 @@ void Tracer::find_lamps(const View& view) {
     if (dark(lamp.in.colour)) continue;
     scratch_->lit.push_back(i);
   }
-}
-
-bool Tracer::is_behind(const View& view, const LayerPoint& layer, const dvec3& l) {
-  return glm::dot(layer.n, l) < epsilon && !view.double_illuminate;
 }
 
 // Every sample of the area shines with its share of the light that the shadows leave (shading §6.6).

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "tracer/transport/lamps.h"
 #include "tracer/transport/texture_parts.h"
 
 namespace durer::tracer {
@@ -29,10 +30,7 @@ vec3 Tracer::point_shadow(const Light& light, const Incidence& in, dvec3 p,
   if (translucent_shadows_ || dimmed) {
     return walk_shadow(light, in, p, way, inside, collects);
   }
-  ++scratch_->rays;
-  const bool blocked =
-      scene_->geometry.occluded({p, in.l}, t_shadow, way - t_shadow, *scratch_->geometry);
-  return blocked ? vec3(0.0F) : in.colour;
+  return opaque_shadow(in, p, way);
 }
 
 // How far away the object is through which the lamp shines; negative if not in between.

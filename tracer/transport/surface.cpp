@@ -48,9 +48,13 @@ dvec3 mirror(dvec3 d, dvec3 n, dvec3 g) {
 }
 
 Tracer::Step Tracer::surface(const View& view, Path& path) {
+  Step step;
+  if (is_plain(view)) {
+    plain_light(view, path.inside, step.colour);
+    return step;
+  }
   const std::size_t first = scratch_->reflections.size();
   const LayerSum layers = sum_layers(view, path);
-  Step step;
   step.colour = layers.colour;
   // Reflections need the path as it arrived; transmission turns it into the one behind.
   const bool see_through = quality_.transparency && layers.sigma > limits(path).adc;

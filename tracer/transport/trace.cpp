@@ -12,16 +12,24 @@ Scratch::Scratch(const CompiledScene& scene)
     : geometry(scene.geometry.make_scratch()), lamps(scene.lights.size()) {
   reflections.reserve(64);
   for (const Geometry& g : scene.projectors) projectors.push_back(g.make_scratch());
+  found.resize(Tracer::most_together);
+  found_layers.resize(FoundSurface::most_layers);
 }
+Scratch::~Scratch() = default;
 
 Tracer::Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha)
     : scene_(&scene),
       scratch_(&scratch),
+      leaves_(scene.geometry.leaves()),
+      lamp_sets_(scene.geometry.lamp_sets()),
       alpha_(alpha),
       legacy_opacity_(scene.scene->settings.effective_version < 370),
       translucent_shadows_(scene.geometry.has_translucent_shadows()),
       air_(scene.quality.atmosphere && !scene.atmosphere.empty()),
       in_air_(air_ || !scene.media.empty()),
+      together_(!scene.radiosity),
+      plain_(scene.quality.lights && !scene.radiosity && scene.scene->settings.adc_bailout >= 0),
+      opaque_shadows_(scene.quality.shadows && !translucent_shadows_ && !dims()),
       quality_(scene.quality) {
   const scene::Settings& settings = scene.scene->settings;
   limits_.fill({std::clamp(settings.max_trace_level, 1, 256), settings.adc_bailout});
@@ -35,27 +43,18 @@ Tracer::Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha)
 
 // Transmitted rays are followed in the loop rather than by recursion: straight ones do not count as
 // a level, so that a ray may pass any number of them. Afterwards `path` is where the light came from.
-Radiance Tracer::follow(Path& path, bool straight) {
-  vec3 sum(0.0F);
-  vec3 through(1.0F);
-  float transmittance = 1;
+Radiance Tracer::follow(Path& path, bool straight, Along& along) {
   for (;;) {
     const Limits& limit = limits(path);
-    if (path.level >= limit.max_level || path.weight < limit.adc) return {sum, 0};
+    if (path.level >= limit.max_level || path.weight < limit.adc) return {along.sum, 0};
     Hit hit;
     ++scratch_->rays;
     const bool met =
         scene_->geometry.closest(path.ray, t_min, path.reach, path.kind(), hit, *scratch_->geometry);
-    if (in_air_ && (path.bounce == 0 || gathers_air_) && in_the_open(path.inside)) {
-      const double depth = met ? hit.t : no_hit_depth;
-      const Veil air = veil(path, depth, met ? &hit : nullptr);
-      sum += through * air.glow;
-      through *= air.through;
-      transmittance *= air.transmittance;
-    }
+    if (in_air_) pass_air(path, met ? &hit : nullptr, along);
     if (!met) {
       const Sky::Seen s = scene_->sky.at(path.ray.d, path.reflected || path.bounce > 0 || !alpha_);
-      return {sum + through * s.colour, transmittance * s.transmittance};
+      return along.ends_with({s.colour, s.transmittance});
     }
     if (FirstHit* first = std::exchange(path.first, nullptr); first != nullptr) {
       first->distance = hit.t;
@@ -65,24 +64,32 @@ Radiance Tracer::follow(Path& path, bool straight) {
     if (!straight) ++path.level;
     Look seen = look(hit, path.ray.d);
     seen.view.gathering = path.bounce > 0;
-    if (seen.blend.count > 1) {
-      const Radiance r = blend(seen, hit, path);
-      return {sum + through * r.colour, transmittance * r.transmittance};
-    }
-    if (seen.view.texture->patterned()) {
-      narrow(seen.view);
-      if (seen.view.texture->patterned()) {
-        const Radiance r = shown(seen.view, path);
-        return {sum + through * r.colour, transmittance * r.transmittance};
-      }
-    }
+    if (is_mixed(seen)) return along.ends_with(mixed(seen, hit, path));
     const Step step = surface(seen.view, path);
-    sum += through * step.colour;
-    transmittance *= step.transmittance;
-    if (!step.continues) return {sum, transmittance};
-    through *= step.through;
+    along.add(step);
+    if (!step.continues) return {along.sum, along.transmittance};
+    along.through *= step.through;
     straight = step.straight;
   }
+}
+
+// What lies between the path's origin and a `hit`, or everything ahead.
+void Tracer::pass_air(const Path& path, const Hit* hit, Along& along) {
+  if ((path.bounce > 0 && !gathers_air_) || !in_the_open(path.inside)) return;
+  const Veil air = veil(path, hit != nullptr ? hit->t : no_hit_depth, hit);
+  along.sum += along.through * air.glow;
+  along.through *= air.through;
+  along.transmittance *= air.transmittance;
+}
+
+/// True if several textures show at the point; afterwards a single one is chosen.
+bool Tracer::is_mixed(Look& look) const {
+  if (look.blend.count > 1) return true;
+  if (look.view.texture->patterned()) narrow(look.view);
+  return look.view.texture->patterned();
+}
+Radiance Tracer::mixed(const Look& look, const Hit& hit, const Path& path) {
+  return look.blend.count > 1 ? blend(look, hit, path) : shown(look.view, path);
 }
 
 // Every texture is followed on its own, with its reflections and what lies behind (objects §4).
@@ -101,7 +108,7 @@ Radiance Tracer::blend(const Look& look, const Hit& hit, const Path& path) {
 }
 
 Tracer::Look Tracer::look(const Hit& hit, dvec3 d) const {
-  const Leaf& leaf = scene_->geometry.leaves()[hit.leaf];
+  const Leaf& leaf = leaves_[hit.leaf];
   const SurfaceProgram& s = scene_->surfaces[leaf.surface];
   const bool from_inside = glm::dot(hit.n, d) > 0;
   Look found;

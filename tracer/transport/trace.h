@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include <glm/geometric.hpp>
+
 #include "tracer/compiled_scene.h"
 #include "tracer/primitives/store.h"
 #include "tracer/transport/photons.h"
@@ -47,6 +49,13 @@ struct Path {
 struct Radiance {
   vec3 colour{0.0F};
   float transmittance = 0;
+};
+
+/// A ray of the picture, and what it sees.
+struct Sample {
+  Path path;
+  std::uint32_t noise = 0;  // state of its random numbers
+  Radiance seen;
 };
 
 /// One reflection that waits until the layers of its surface are summed.
@@ -115,9 +124,15 @@ struct MediaSamples {
   std::vector<MediaStretch> stretches;
 };
 
+struct FoundSurface;
+struct FoundLayer;
+
 /// What one thread may change. Buffers grow once; tracing allocates nothing after that.
 struct Scratch {
   explicit Scratch(const CompiledScene& scene);
+  ~Scratch();
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
 
   GeometryScratchPtr geometry;
   std::uint64_t rays = 0;
@@ -140,6 +155,8 @@ struct Scratch {
   int below = 0;  // how many looks below surfaces are going on
   FoundPhotons near_photons;             // around the point being lit
   FoundPhotons media_photons;            // likewise, in media
+  std::vector<FoundSurface> found;       // by rays that are followed side by side
+  std::vector<FoundLayer> found_layers;
 };
 
 /// Traces rays of one thread.
@@ -155,10 +172,21 @@ class Tracer {
   /// The same for a path that nobody needs any more.
   [[nodiscard]] Radiance trace(Path&& path) { return follow(path, false); }
 
+  /// The same for up to `most_together` rays of the picture, neighbours if possible, side by side.
+  /// Uses their paths up.
+  static constexpr std::size_t most_together = 16;
+  void trace(std::span<Sample> samples);
+
  private:
   friend class MediaIntegrator;
   friend class PathTracer;
   friend class PhotonTracer;
+  friend struct FoundSurface;
+  // A layer at a point: its normal, and what it looks like.
+  struct LayerLook {
+    const dvec3* n = nullptr;
+    const Colour* colour = nullptr;
+  };
   // A surface that is being looked at.
   struct View {
     dvec3 p{0.0};
@@ -179,6 +207,7 @@ class Tracer {
     bool gathering = false;  // seen by a ray that gathers indirect light
     bool collects = true;    // shows photons
     double depth = 0;  // from the ray's origin
+    std::span<const LayerLook> known;  // the first layers, if they were looked up before
   };
   // What the layers of a surface send out, and let through.
   struct LayerSum {
@@ -230,17 +259,46 @@ class Tracer {
     const SurfaceProgram* surface = nullptr;
   };
 
-  [[nodiscard]] Radiance follow(Path& path, bool straight);
+  // What a path has gathered so far, and what it can still add to that.
+  struct Along {
+    vec3 sum{0.0F};
+    vec3 through{1.0F};
+    float transmittance = 1;
+
+    void add(const Step& step) {
+      sum += through * step.colour;
+      transmittance *= step.transmittance;
+    }
+    [[nodiscard]] Radiance ends_with(const Radiance& r) const {
+      return {sum + through * r.colour, transmittance * r.transmittance};
+    }
+  };
+
+  [[nodiscard]] Radiance follow(Path& path, bool straight) {
+    Along along;
+    return follow(path, straight, along);
+  }
+  [[nodiscard]] Radiance follow(Path& path, bool straight, Along& along);
+  void pass_air(const Path& path, const Hit* hit, Along& along);
+  [[nodiscard]] bool is_mixed(Look& look) const;
+  [[nodiscard]] Radiance mixed(const Look& look, const Hit& hit, const Path& path);
   [[nodiscard]] Radiance blend(const Look& look, const Hit& hit, const Path& path);
   [[nodiscard]] Look look(const Hit& hit, dvec3 d) const;
   [[nodiscard]] ProgramId texture_at(const Hit& hit, const SurfaceProgram& surface,
                                      bool from_inside, std::uint32_t& places) const;
   void dress(View& view, const Look& look, const Hit& hit, std::uint32_t texture) const;
   [[nodiscard]] Radiance shown(const View& view, const Path& path);
+  // together.cpp
+  [[nodiscard]] bool find(Sample& sample, FoundSurface& found);
+  void look_up(std::span<FoundSurface* const> found, std::size_t place);
+  void look_up_layer(const LayerProgram& layer, std::span<FoundSurface* const> found,
+                     dvec3* normals, Colour* colours) const;
   void narrow(View& view) const;
   template <typename Visit>
   void for_parts(const View& view, Visit visit) const;
   [[nodiscard]] double choose(View& view, const TextureChoice& choice) const;
+  [[nodiscard]] inline LayerLook look_at(const View& view, std::uint32_t number, SurfaceView& seen,
+                                  dvec3& n, Colour& colour) const;
   [[nodiscard]] dvec3 bend(const View& view, const LayerProgram& layer, SurfaceView& seen) const;
   [[nodiscard]] Step surface(const View& view, Path& path);
   [[nodiscard]] Finish without_diffuse(const Finish& finish) const;
@@ -311,8 +369,25 @@ class Tracer {
   [[nodiscard]] vec3 illuminate(const View& view, const Path& path, const LayerPoint& layer,
                                 bool first_lit);
   void find_lamps(const View& view);
-  [[nodiscard]] static bool spreads(const Light& light, const View& view);
-  [[nodiscard]] static bool is_behind(const View& view, const LayerPoint& layer, const dvec3& l);
+  // Its whole area shines, not only its centre.
+  [[nodiscard]] static bool spreads(const Light& light, const View& view) {
+    return light.has_area && light.area.illumination && !view.gathering;
+  }
+  [[nodiscard]] static bool is_behind(const View& view, const LayerPoint& layer, const dvec3& l) {
+    return glm::dot(layer.n, l) < epsilon && !view.double_illuminate;
+  }
+  [[nodiscard]] inline vec3 arriving(const View& view, const Containment& inside,
+                                     const Light& light, const Incidence& in);
+  [[nodiscard]] inline vec3 opaque_shadow(const Incidence& in, const dvec3& p, double way);
+  // plain.cpp
+  [[nodiscard]] bool is_plain(const View& view) const {
+    return view.texture->plain && plain_ && !(view.collects && has_caustics());
+  }
+  [[nodiscard]] LayerLook look_alone(const View& view, dvec3& n, Colour& colour) const;
+  void plain_light(const View& view, const Containment& inside, vec3& light);
+  [[nodiscard]] vec3 light_of_area(const View& view, const Containment& inside,
+                                   const LayerPoint& layer, const Light& light,
+                                   const Incidence& centre);
   [[nodiscard]] vec3 shade_by_area(const View& view, const LayerPoint& layer, const Light& light,
                                    const LampAtPoint& lamp);
   // Light from one direction.
@@ -397,6 +472,8 @@ class Tracer {
 
   const CompiledScene* scene_;
   Scratch* scratch_;
+  std::span<const Leaf> leaves_;                            // of the geometry
+  std::span<const std::vector<std::uint32_t>> lamp_sets_;
   std::array<Limits, IrradianceCache::max_depth + 1> limits_;  // by bounce
   bool alpha_;
   bool legacy_opacity_;
@@ -404,7 +481,27 @@ class Tracer {
   bool air_;     // there is fog or the like …
   bool in_air_;  // … or there are media …
   bool gathers_air_ = false;  // … and rays that gather indirect light see it
+  bool together_;             // rays may be followed side by side
+  bool plain_;           // plain textures may be lit the short way
+  bool opaque_shadows_;  // any caster of shadows stops all light
   Quality quality_;
+};
+
+/// A surface that a ray met, until its turn to be lit comes.
+struct FoundSurface {
+  static constexpr std::uint32_t most_layers = 4;
+
+  Tracer::Look look;
+  std::array<Tracer::LayerLook, most_layers> layers;  // as far as `look.view.known` goes
+  vec3 through{1.0F};  // what they let through
+  Tracer::Along along;  // what is before the surface
+  bool waits = false;
+};
+
+/// What layers of a texture look like at several points.
+struct FoundLayer {
+  std::array<dvec3, Tracer::most_together> normals;
+  std::array<Colour, Tracer::most_together> colours;
 };
 
 /// Snell's law for unit `d`, from either side of `normal`; false beyond the critical angle. `eta`: n

@@ -130,10 +130,56 @@ void measure_noise(const Points& points) {
   });
 }
 
+// What lies under the pixels of a row: `step` pattern units from one to the next.
+void measure_rows(double step) {
+  std::printf("neighbours %.4f apart\n", step);
+  std::vector<dvec3> row;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto at = static_cast<double>(i);
+    row.push_back(at * step * dvec3(0.81, 0.33, 0.48) + dvec3(-7.3, 4.1, 2.2));
+  }
+  std::vector<double> out(n);
+  std::vector<dvec3> vectors(n);
+  const auto groups = [&](const auto& visit) {
+    for (std::size_t i = 0; i < n; i += 16) visit(std::span(row).subspan(i, 16), i);
+  };
+  measure("turbulence, 8 octaves", [&] {
+    for (std::size_t i = 0; i < n; ++i) out[i] = turbulence(row[i], {8, 0.5, 2}, 2);
+    return out[3];
+  });
+  measure("  many points", [&] {
+    groups([&](std::span<const dvec3> some, std::size_t i) {
+      turbulence(some, {8, 0.5, 2}, 2, std::span(out).subspan(i, some.size()));
+    });
+    return out[3];
+  });
+  measure("vturbulence, 6 octaves", [&] {
+    for (std::size_t i = 0; i < n; ++i) vectors[i] = vturbulence(row[i], {});
+    return vectors[3].x;
+  });
+  measure("  many points", [&] {
+    groups([&](std::span<const dvec3> some, std::size_t i) {
+      vturbulence(some, {}, std::span(vectors).subspan(i, some.size()));
+    });
+    return vectors[3].x;
+  });
+  measure("folded vnoise, 10 octaves", [&] {
+    for (std::size_t i = 0; i < n; ++i) vectors[i] = folded_vnoise(row[i], 10);
+    return vectors[3].x;
+  });
+  measure("  many points", [&] {
+    groups([&](std::span<const dvec3> some, std::size_t i) {
+      folded_vnoise(some, 10, std::span(vectors).subspan(i, some.size()));
+    });
+    return vectors[3].x;
+  });
+}
+
 }  // namespace
 
 int main() {
   const Points points = make_points();
+  for (const double step : {0.0005, 0.003, 0.02, 3.7}) measure_rows(step);
   measure_noise(points);
   measure_function("x*x*x-3*x*y*y+z*z*(2*x-y)-0.7*x*y*z+pow(y,4)-1.2", points);
   measure_function("f_torus(x,y,z,0.9,0.3)", points);

@@ -181,6 +181,46 @@ TEST_CASE("noise: turbulence of several points is that of each, to the last bit"
   }
 }
 
+TEST_CASE("noise: neighbours that share cells have the bits that they have alone",
+          "[functions][noise]") {
+  const double step = GENERATE(0.0, 1e-4, 0.004, 0.06, 0.7, 40.0);
+  const std::size_t n = GENERATE(1, 2, 3, 4, 7, 16);
+  const Octaves octaves{GENERATE(1, 6, 9), 0.45, 2.1};
+  for (const dvec3& start : random_points(40, 60.0)) {
+    std::vector<dvec3> points;
+    for (std::size_t i = 0; i < n; ++i) {
+      points.push_back(start + step * static_cast<double>(i) * dvec3(0.7, -0.4, 0.2));
+    }
+    std::vector<double> values(n);
+    std::vector<dvec3> vectors(n);
+    std::vector<double> several(40);
+    for (const simd::NoiseKernels* k : {&simd::kernels(), &simd::baseline_kernels()}) {
+      for (int g = 1; g <= 3; ++g) {
+        k->noise_many(points.data(), n, g, values.data());
+        for (std::size_t i = 0; i < n; ++i) REQUIRE(values[i] == noise(points[i], g));
+        k->turbulence_many(points.data(), n, octaves, g, values.data());
+        for (std::size_t i = 0; i < n; ++i) REQUIRE(values[i] == turbulence(points[i], octaves, g));
+        const auto few = std::min<std::size_t>(n, 4);
+        k->four_octaves(points.data(), static_cast<int>(few), octaves.lambda, octaves.count, g,
+                        several.data());
+        for (std::size_t i = 0; i < few; ++i) {
+          double alone[12];
+          noise_octaves(points[i], octaves.lambda, octaves.count, g, alone);
+          for (int o = 0; o < octaves.count; ++o) REQUIRE(several[4 * o + i] == alone[o]);
+        }
+      }
+      k->vnoise_many(points.data(), n, vectors.data());
+      for (std::size_t i = 0; i < n; ++i) REQUIRE(vectors[i] == vnoise(points[i]));
+      k->vturbulence_many(points.data(), n, octaves, vectors.data());
+      for (std::size_t i = 0; i < n; ++i) REQUIRE(vectors[i] == vturbulence(points[i], octaves));
+      k->vfolded_many(points.data(), n, octaves.count, vectors.data());
+      for (std::size_t i = 0; i < n; ++i) {
+        REQUIRE(vectors[i] == folded_vnoise(points[i], octaves.count));
+      }
+    }
+  }
+}
+
 TEST_CASE("noise: octaves together are the octaves one by one, to the last bit",
           "[functions][noise]") {
   const double lambda = GENERATE(2.0, 1.7, 0.3);

@@ -21,9 +21,9 @@ Picture rendered(const AntialiasOptions& options, const Block& block, const Func
   Antialias antialias(options);
   antialias.render(
       block,
-      [&](double x, double y, std::uint32_t) {
-        ++picture.samples;
-        return f(x, y);
+      [&](std::span<const Spot> spots, Pixel* out) {
+        for (const Spot& spot : spots) *out++ = f(spot.x, spot.y);
+        picture.samples += static_cast<int>(spots.size());
       },
       [&](int x, int y, const Pixel& p) {
         picture.pixels[{x, y}] = p;

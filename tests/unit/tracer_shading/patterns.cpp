@@ -1,23 +1,16 @@
 // Every pattern keeps its own evidence, and its description fits its struct.
 #include "tracer/patterns/patterns.h"
 
-#include "tests/support/catch.h"
+#include "tests/unit/tracer_shading/shading_test.h"
 #include "tests/support/scene_builder.h"
 #include "tracer/compile.h"
 #include "tracer/shading/pigment.h"
 
 using namespace durer;
+using namespace durer::test;
 using namespace durer::tracer;
 
 namespace {
-
-std::vector<double> default_args(const PatternType& type) {
-  std::vector<double> args;
-  for (const scene::Param& p : type.params) {
-    args.insert(args.end(), p.fallback.begin(), p.fallback.begin() + scene::width(p.kind));
-  }
-  return args;
-}
 
 double value_of(const PatternType& type, const std::vector<double>& args, dvec3 p) {
   static const std::vector<functions::WaveSource> waves = functions::wave_sources(10);

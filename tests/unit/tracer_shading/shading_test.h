@@ -32,6 +32,15 @@ inline glm::vec4 pixel(const scene::Scene& scene, bool alpha = false) {
   return {p[0], p[1], p[2], p[3]};
 }
 
+/// Operands of a pattern, as they are where none is written.
+inline std::vector<double> default_args(const scene::TypeInfo& type) {
+  std::vector<double> args;
+  for (const scene::Param& p : type.params) {
+    args.insert(args.end(), p.fallback.begin(), p.fallback.begin() + scene::width(p.kind));
+  }
+  return args;
+}
+
 /// The oracle's values are 16-bit steps; half of one on either side, and a little for float sums.
 inline constexpr double oracle_step = 1.0 / 65535;
 

@@ -1,0 +1,148 @@
+// Rays of neighbouring pixels side by side: first what each of them meets, then what that looks like,
+// for all points on one texture together, then the light on each.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <new>
+
+#include "tracer/transport/layers.h"
+
+namespace durer::tracer {
+
+// Where the order of rays matters, they are followed one by one.
+void Tracer::trace(std::span<Sample> samples) {
+  if (!together_) {
+    for (Sample& s : samples) {
+      scratch_->noise = s.noise;
+      s.seen = follow(s.path, false);
+    }
+    return;
+  }
+  std::array<FoundSurface*, most_together> waiting;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    FoundSurface& found = scratch_->found[i];
+    found.waits = find(samples[i], found);
+    if (found.waits) waiting[count++] = &found;
+  }
+  for (std::size_t first = 0; first < count;) {
+    const TextureProgram* texture = waiting[first]->look.view.texture;
+    std::size_t end = first + 1;
+    while (end < count && waiting[end]->look.view.texture == texture) ++end;
+    if (end - first > 1) look_up({&waiting[first], end - first}, first);
+    first = end;
+  }
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!scratch_->found[i].waits) continue;
+    Sample& sample = samples[i];
+    const View& view = scratch_->found[i].look.view;
+    scratch_->noise = sample.noise;
+    if (is_plain(view) && !in_air_) {
+      plain_light(view, sample.path.inside, sample.seen.colour);
+      sample.seen.transmittance = 0;
+      continue;
+    }
+    const Step step = surface(view, sample.path);
+    Along along = scratch_->found[i].along;
+    along.add(step);
+    if (step.continues) {
+      along.through *= step.through;
+      sample.seen = follow(sample.path, step.straight, along);
+    } else {
+      sample.seen = {along.sum, along.transmittance};
+    }
+  }
+}
+
+/// The surface that a ray meets, if it waits to be lit; else what the ray sees is known.
+bool Tracer::find(Sample& sample, FoundSurface& found) {
+  Path& path = sample.path;
+  const Limits& limit = limits(path);
+  if (path.level >= limit.max_level || path.weight < limit.adc) {
+    sample.seen = {};
+    return false;
+  }
+  Hit hit;
+  ++scratch_->rays;
+  const bool met = scene_->geometry.closest(path.ray, t_min, path.reach, path.kind(), hit,
+                                            *scratch_->geometry);
+  Along& along = *::new (&found.along) Along;
+  if (in_air_) {
+    scratch_->noise = sample.noise;
+    pass_air(path, met ? &hit : nullptr, along);
+    sample.noise = scratch_->noise;  // goes on from here
+  }
+  if (!met) {
+    const Sky::Seen s = scene_->sky.at(path.ray.d, !alpha_);
+    sample.seen = along.ends_with({s.colour, s.transmittance});
+    return false;
+  }
+  ++path.level;
+  Look& look = *::new (&found.look) Look(this->look(hit, path.ray.d));  // made in place
+  if (!is_mixed(look)) return true;
+  scratch_->noise = sample.noise;
+  sample.seen = along.ends_with(mixed(look, hit, path));
+  return false;
+}
+
+/// The layers of a texture at several points, as far as they show. `place`: what is kept of them in
+/// Scratch::found_layers begins there.
+void Tracer::look_up(std::span<FoundSurface* const> found, std::size_t place) {
+  const TextureProgram& texture = *found.front()->look.view.texture;
+  if (texture.uses_uv || texture.asks_view) return;
+  std::array<FoundSurface*, most_together> seen;
+  std::size_t count = 0;
+  for (FoundSurface* f : found) {
+    f->through = vec3(1.0F);
+    seen[count++] = f;
+  }
+  const std::uint32_t layers =
+      std::min(texture.end_layer - texture.first_layer, FoundSurface::most_layers);
+  const float least = limits_[0].adc;
+  for (std::uint32_t i = 0; i < layers && count > 0; ++i) {
+    const LayerProgram& layer = scene_->textures.layer(texture.first_layer + i);
+    dvec3* const normals = &scratch_->found_layers[i].normals[place];
+    Colour* const colours = &scratch_->found_layers[i].colours[place];
+    look_up_layer(layer, {seen.data(), count}, normals, colours);
+    std::size_t left = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      FoundSurface& f = *seen[k];
+      View& view = f.look.view;
+      f.layers[i] = {layer.normal == scene::none ? &view.g : &normals[k], &colours[k]};
+      view.known = {f.layers.data(), i + 1};
+      if (i + 1 == layers) continue;
+      f.through *= colours[k].transmission();
+      if (std::min(1.0F, std::abs(grey(f.through))) > least) seen[left++] = &f;
+    }
+    count = left;
+  }
+}
+
+void Tracer::look_up_layer(const LayerProgram& layer, std::span<FoundSurface* const> found,
+                           dvec3* normals, Colour* colours) const {
+  std::array<dvec3, most_together> places;
+  const std::size_t count = found.size();
+  const auto points = [&] {
+    for (std::size_t i = 0; i < count; ++i) places[i] = found[i]->look.view.q;
+    return std::span(places).first(count);
+  };
+  const auto in_the_world = [](const FoundSurface* f) {
+    return f->look.view.places == 0 && f->look.view.frame_count == 0;
+  };
+  if (layer.normal == scene::none) {
+  } else if (std::all_of(found.begin(), found.end(), in_the_world)) {
+    for (std::size_t i = 0; i < count; ++i) normals[i] = found[i]->look.view.g;
+    scene_->textures.normals().at(layer.normal, points(), normals);
+    for (std::size_t i = 0; i < count; ++i) normals[i] = glm::normalize(normals[i]);
+  } else {
+    for (std::size_t i = 0; i < count; ++i) {
+      const View& view = found[i]->look.view;
+      SurfaceView seen{view.p, view.d, view.g, view.uv};
+      normals[i] = bend(view, layer, seen);
+    }
+  }
+  scene_->textures.pigments().at(layer.pigment, points(), colours);
+}
+
+}  // namespace durer::tracer
