@@ -27,9 +27,8 @@ std::uint32_t seed(double x, double y, std::uint32_t index) {
 /// False if it is all the same to light whether it is in a body or in the air.
 bool are_bodies_felt(const CompiledScene& s) {
   if (!s.media.empty() || !s.atmosphere.empty()) return true;
-  return std::any_of(s.interiors.begin(), s.interiors.end(), [](const Interior& i) {
-    return i.ior != 1 || i.dispersion != 1 || fades(i);
-  });
+  return std::any_of(s.interiors.begin(), s.interiors.end(),
+                     [](const Interior& i) { return i.ior != 1 || i.dispersion != 1 || fades(i); });
 }
 
 }  // namespace
@@ -76,8 +75,9 @@ Pixel Eye::see_directly(double x, double y, std::uint32_t index) {
 
 Pixel Eye::see_all(double x, double y, std::uint32_t index) {
   if (!view_->lens.blurs()) return plain(x, y, index);
-  return view_->lens.blur(
-      [&](int n) { return through_lens(view_->lens.moved(x, y, n), {x, y}, index, n); });
+  return view_->lens.blur([&](int n) {
+    return through_lens(view_->lens.moved(x, y, n), {x, y}, index, n);
+  });
 }
 
 void Eye::see(std::span<const Spot> spots, Pixel* out) {
@@ -122,8 +122,15 @@ Pixel Eye::sample(int x, int y, std::uint32_t index) {
 
 bool Eye::camera_ray(double x, double y, int turn, CameraRay& out) {
   const RenderOptions& o = *view_->options;
-  const PictureSpot spot{(x + 0.5) / o.width - 0.5, 0.5 - (y + 0.5) / o.height, x, y, o.width,
-                         o.height, turn};
+  // Rows are counted from below, so that the last bits are the oracle's.
+  const double from_below = o.height - 1 - y;
+  const PictureSpot spot{(x + 0.5) / o.width - 0.5,
+                         (from_below + 0.5) / o.height - 0.5,
+                         x,
+                         y,
+                         o.width,
+                         o.height,
+                         turn};
   return view_->camera.ray(spot, workspace_, out);
 }
 

@@ -1,6 +1,7 @@
 #include "tracer/shading/normal.h"
 
 #include <glm/geometric.hpp>
+#include <optional>
 
 #include "tracer/patterns/map_search.h"
 
@@ -48,7 +49,9 @@ dvec3 NormalStore::at(NormalId id, const dvec3& p, const dvec3& n, const Surface
   if (node.pattern.type == nullptr) return n;
   const dvec3& place = node.by_uv && view != nullptr ? view->uv : p;
   const dvec3 inner = node.frame.enter(n);
-  return node.frame.leave(perturbed(node, patterns_.warp(node.pattern, place), inner, view));
+  const dvec3 bent =
+      node.frame.leave(perturbed(node, patterns_.warp(node.pattern, place), inner, view));
+  return node.by_uv ? glm::normalize(bent) : bent;
 }
 
 void NormalStore::at(NormalId id, std::span<dvec3> points, dvec3* normals) const {
@@ -76,12 +79,35 @@ dvec3 NormalStore::perturbed(const Node& node, const dvec3& p, const dvec3& n,
   return slide(node, p, n, view);
 }
 
+namespace {
+
+/// A surface as one entry of a map after another sees it: each bends the same normal, but patterns
+/// that ask for the normal get the one that the entry before has left, as the oracle's do.
+class SeenInTurn {
+ public:
+  explicit SeenInTurn(const SurfaceView* view) {
+    if (view != nullptr) seen_ = *view;
+  }
+  [[nodiscard]] const SurfaceView* view() const { return seen_ ? &*seen_ : nullptr; }
+  dvec3 left(const dvec3& n) {
+    if (seen_) seen_->n = n;
+    return n;
+  }
+
+ private:
+  std::optional<SurfaceView> seen_;
+};
+
+}  // namespace
+
 dvec3 NormalStore::average(const Node& node, const dvec3& p, const dvec3& n,
                            const SurfaceView* view) const {
+  SeenInTurn seen(view);
   dvec3 sum(0.0);
   double total = 0;
   for (std::uint32_t i = node.first_entry; i < node.end_entry; ++i) {
-    sum += static_cast<double>(entries_[i].key) * at(entries_[i].child, p, n, view);
+    const dvec3 bent = seen.left(at(entries_[i].child, p, n, seen.view()));
+    sum += static_cast<double>(entries_[i].key) * bent;
     total += entries_[i].key;
   }
   return sum / total;
@@ -91,9 +117,10 @@ dvec3 NormalStore::blend(const Node& node, const dvec3& p, const dvec3& n,
                          const SurfaceView* view) const {
   const std::span entries(&entries_[node.first_entry], node.end_entry - node.first_entry);
   const auto found = find_neighbours(entries, PatternStore::value(node.pattern, p, view));
-  const dvec3 lower = at(found.lower->child, p, n, view);
-  if (found.single()) return lower;
-  return (1 - found.t) * lower + found.t * at(found.upper->child, p, n, view);
+  if (found.single()) return at(found.lower->child, p, n, view);
+  SeenInTurn seen(view);
+  const dvec3 upper = seen.left(at(found.upper->child, p, n, seen.view()));
+  return (1 - found.t) * at(found.lower->child, p, n, seen.view()) + found.t * upper;
 }
 
 // The slope of the pattern, from its values at the corners of a small tetrahedron.
