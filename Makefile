@@ -11,7 +11,7 @@ SOURCES  = $(shell git ls-files '*.h' '*.cpp')
 
 .DEFAULT_GOAL := build
 .NOTPARALLEL:
-.PHONY: build deps oracle demo test conformance conformance-baseline stdlib golden reference bench differential format tidy clean help
+.PHONY: build deps oracle demo test conformance conformance-baseline stdlib golden reference bench differential random format tidy clean help
 
 build: ## the optimised program, at build/durer
 	@test -f $(BUILD)/build.ninja || cmake --preset $(PRESET)
@@ -51,6 +51,9 @@ bench: build ## time both programs on the scenes of bench/: make bench FILTER=sl
 
 differential: build ## print random programs with both programs and compare the text
 	$(PYTHON) tools/differential.py run --count 2000
+
+random: build ## render random scenes with both programs and compare the pictures
+	$(PYTHON) tools/random_scenes.py --count 200
 
 format: ## clang-format all sources in place
 	clang-format -i $(SOURCES)
