@@ -64,13 +64,26 @@ struct Sphere {
     double middle;
     double half;
   };
-  // Measured from the point nearest the centre: a small distant ball otherwise loses its
-  // discriminant to cancellation [Haines et al., Ray Tracing Gems 2019, ch. 7].
+  // To the oracle's last bit, for patterns have borders at round distances from the centre (objects
+  // §10.1). A small distant ball would lose its discriminant to cancellation: there it is measured
+  // from the point nearest the centre [Haines et al., Ray Tracing Gems 2019, ch. 7].
+  [[nodiscard]] std::optional<Chord> chord(const Ray& ray) const {
+    constexpr double distant = 1e6;  // square of the distance, in radii
+    const dvec3 way = center - ray.o;
+    const double middle = glm::dot(way, ray.d);
+    const double q = glm::dot(way, way);
+    const double r2 = radius * radius;
+    if (!(q <= distant * r2)) return chord(ray, 1);
+    const double h2 = r2 - q + middle * middle;
+    if (!(h2 > epsilon)) return std::nullopt;  // tangent rays miss; also stops NaN
+    return Chord{middle, std::sqrt(h2)};
+  }
+  // For directions of any length; `per_d2` is 1 / |d|².
   [[nodiscard]] std::optional<Chord> chord(const Ray& ray, double per_d2) const {
     const double middle = glm::dot(center - ray.o, ray.d) * per_d2;
     const dvec3 miss = ray.at(middle) - center;
     const double h2 = radius * radius - glm::dot(miss, miss);
-    if (!(h2 > epsilon)) return std::nullopt;  // tangent rays miss; also stops NaN
+    if (!(h2 > epsilon)) return std::nullopt;
     return Chord{middle, std::sqrt(h2 * per_d2)};
   }
   [[nodiscard]] static std::optional<Nearest> first(const std::optional<Chord>& c, double t_from,
@@ -88,7 +101,9 @@ struct Sphere {
   }
 
   void crossings(const Ray& ray, Crossings& out) const {
-    const auto c = chord(ray, 1 / glm::dot(ray.d, ray.d));
+    const double d2 = glm::dot(ray.d, ray.d);
+    const bool unit = std::abs(d2 - 1) < 1e-14;
+    const auto c = unit ? chord(ray) : chord(ray, 1 / d2);
     if (!c) return;
     out.push_back({.t = c->middle - c->half, .side = Side::enter});
     out.push_back({.t = c->middle + c->half, .side = Side::exit});
@@ -98,7 +113,7 @@ struct Sphere {
   }
   [[nodiscard]] std::optional<Nearest> nearest_of_unit(const Ray& ray, double t_from,
                                                        double t_to) const {
-    return first(chord(ray, 1), t_from, t_to);
+    return first(chord(ray), t_from, t_to);
   }
 };
 
