@@ -36,7 +36,7 @@ template <typename Visit>
 Tracer::LayerSum Tracer::walk_layers(const View& view, float least, const Visit& visit) const {
   const TextureStore& textures = scene_->textures;
   LayerSum sum;
-  SurfaceView seen{view.p, view.d, view.g, view.uv};
+  SurfaceView seen{view.p, view.d, view.seen, view.uv};
   const std::uint32_t first = view.texture->first_layer;
   for (std::uint32_t i = first; i < view.texture->end_layer && sum.sigma > least; ++i) {
     const LayerProgram& program = textures.layer(i);
@@ -51,6 +51,7 @@ Tracer::LayerSum Tracer::walk_layers(const View& view, float least, const Visit&
     if (layer.finish->conserve_energy) sum.through *= glm::min(vec3(1.0F), 1.0F - rho);
     sum.sigma = std::min(1.0F, std::abs(grey(sum.through)));
   }
+  if (view.frame_count > 0) scratch_->left_normal = seen.n;
   return sum;
 }
 

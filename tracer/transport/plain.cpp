@@ -40,8 +40,10 @@ void Tracer::plain_light(const View& view, const Containment& inside, vec3& ligh
 }
 
 Tracer::LayerLook Tracer::look_alone(const View& view, dvec3& n, Colour& colour) const {
-  SurfaceView seen{view.p, view.d, view.g, view.uv};
-  return look_at(view, 0, seen, n, colour);
+  SurfaceView seen{view.p, view.d, view.seen, view.uv};
+  const LayerLook look = look_at(view, 0, seen, n, colour);
+  if (view.frame_count > 0) scratch_->left_normal = seen.n;
+  return look;
 }
 
 // A lamp whose whole area shines; its samples are weakened one by one.

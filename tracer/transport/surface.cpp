@@ -51,10 +51,12 @@ Tracer::Step Tracer::surface(const View& view, Path& path) {
   Step step;
   if (is_plain(view)) {
     plain_light(view, path.inside, step.colour);
+    step.left = scratch_->left_normal;
     return step;
   }
   const std::size_t first = scratch_->reflections.size();
   const LayerSum layers = sum_layers(view, path);
+  step.left = scratch_->left_normal;
   step.colour = layers.colour;
   // Reflections need the path as it arrived; transmission turns it into the one behind.
   const bool see_through = quality_.transparency && layers.sigma > limits(path).adc;

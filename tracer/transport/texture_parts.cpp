@@ -9,8 +9,8 @@ double Tracer::choose(View& view, const TextureChoice& choice) const {
     view.q = view.uv;
     return 0;
   }
-  // A pattern that chooses textures sees the surface without bumps.
-  const SurfaceView seen{view.p, view.d, view.g, view.uv};
+  // A pattern that chooses textures sees the surface without bumps of its own.
+  const SurfaceView seen{view.p, view.d, view.seen, view.uv};
   view.q = scene_->textures.warp(choice, view.q);
   view.frames[view.frame_count++] = &choice.frame;
   return PatternStore::value(choice.pattern, view.q, &seen);
@@ -35,8 +35,9 @@ Radiance Tracer::shown(const View& view, const Path& path) {
   if (view.texture->patterned()) {
     // Each texture is lit, reflects and lets light through on its own (textures §11.3).
     Radiance sum;
-    for_parts(view, [&](const View& part, float weight) {
+    for_parts(view, [&](View& part, float weight) {
       const Radiance r = shown(part, path);
+      part.seen = scratch_->left_normal;
       sum.colour += weight * r.colour;
       sum.transmittance += weight * r.transmittance;
     });
@@ -45,10 +46,12 @@ Radiance Tracer::shown(const View& view, const Path& path) {
   Path own = path;
   const Step step = surface(view, own);
   Radiance r{step.colour, step.transmittance};
-  if (!step.continues) return r;
-  const Radiance behind = follow(own, step.straight);
-  r.colour += step.through * behind.colour;
-  r.transmittance *= behind.transmittance;
+  if (step.continues) {
+    const Radiance behind = follow(own, step.straight);
+    r.colour += step.through * behind.colour;
+    r.transmittance *= behind.transmittance;
+  }
+  scratch_->left_normal = step.left;
   return r;
 }
 

@@ -6,7 +6,8 @@
 namespace durer::tracer {
 
 /// Calls `visit(view, weight)` with every texture that a patterned one shows at a point; weights
-/// add up to 1. `view.texture` of these may be patterned again.
+/// add up to 1. `view.texture` of these may be patterned again. What a visitor makes of `view.seen`
+/// the next one gets, as with the oracle, where the upper of two comes first.
 template <typename Visit>
 void Tracer::for_parts(const View& view, Visit visit) const {
   const TextureStore& textures = scene_->textures;
@@ -16,7 +17,7 @@ void Tracer::for_parts(const View& view, Visit visit) const {
   const double value = choose(part, choice);
   const auto show = [&](const TextureChoiceEntry& e, float weight) {
     part.texture = &textures.program(e.texture);
-    visit(static_cast<const View&>(part), weight);
+    visit(part, weight);
   };
   if (!choice.by_uv && choice.pattern.type->averages) {
     float total = 0;
@@ -27,8 +28,8 @@ void Tracer::for_parts(const View& view, Visit visit) const {
   const auto found = find_neighbours(entries, value);
   if (found.single()) return show(*found.lower, 1);
   const auto t = static_cast<float>(found.t);
-  show(*found.lower, 1 - t);
   show(*found.upper, t);
+  show(*found.lower, 1 - t);
 }
 
 }  // namespace durer::tracer

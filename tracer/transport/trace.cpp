@@ -117,6 +117,7 @@ Tracer::Look Tracer::look(const Hit& hit, dvec3 d) const {
   view.p = hit.p;
   view.d = d;
   view.g = from_inside ? -hit.n : hit.n;
+  view.seen = view.g;
   view.texture = &scene_->textures.program(texture_at(hit, s, from_inside, view.places));
   view.interior = hit.interior;
   view.lamps = s.lamps;

@@ -154,6 +154,7 @@ struct Scratch {
   int below = 0;  // how many looks below surfaces are going on
   FoundPhotons near_photons;             // around the point being lit
   FoundPhotons media_photons;            // likewise, in media
+  dvec3 left_normal{0.0};  // as patterns saw it last, in the part of a mixed texture shown last
   std::vector<FoundSurface> found;       // by rays that are followed side by side
   std::vector<FoundLayer> found_layers;
 };
@@ -193,6 +194,7 @@ class Tracer {
     dvec3 uv{0.0};  // (u, v, 0) if a layer asks for it
     dvec3 d{0.0};
     dvec3 g{0.0};  // unit geometric normal, towards the viewer
+    dvec3 seen{0.0};  // the same as patterns see it: bent, if an entry of the same map came before
     const TextureProgram* texture = nullptr;
     std::uint32_t interior = 0;
     std::uint32_t lamps = 0;  // index into Geometry::lamp_sets()
@@ -230,6 +232,7 @@ class Tracer {
     bool continues = false;
     bool straight = false;
     bool tir = false;  // totally reflected inside
+    dvec3 left{0.0};   // the normal as patterns of a mixed texture saw it last
   };
 
   // A point that a lamp of some extent may light, and a part of that lamp's grid.
