@@ -15,7 +15,7 @@ from pathlib import Path
 import pictures
 import png
 import programs
-from generators import pictures as scenes
+from generators import scenes
 
 FOLDER = programs.ROOT / "build" / "random"
 OPTIONS = ["+W96", "+H72", "-A", "-D"]

@@ -102,7 +102,7 @@ struct Sphere {
 
   void crossings(const Ray& ray, Crossings& out) const {
     const double d2 = glm::dot(ray.d, ray.d);
-    const bool unit = std::abs(d2 - 1) < 1e-14;
+    const bool unit = std::abs(d2 - 1) < 1e-14;  // but for rounding
     const auto c = unit ? chord(ray) : chord(ray, 1 / d2);
     if (!c) return;
     out.push_back({.t = c->middle - c->half, .side = Side::enter});

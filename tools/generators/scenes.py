@@ -1,7 +1,10 @@
 """Random scenes: objects of every type under CSG, with random textures, lamps and cameras."""
 
 import random
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from typing import TypeVar
+
+T = TypeVar("T")
 
 PATTERNS = ("agate", "bozo", "boxed", "bumps", "cells", "crackle", "crackle {a} solid", "cubic", "cylindrical", "dents",
             "gradient x", "gradient <1, 1, 0>", "granite", "leopard", "marble", "onion", "planar", "quilted", "radial",
@@ -44,7 +47,7 @@ class Scene:
         parts += [self.object() for _ in range(self.rng.randint(1, 3))]
         return "\n".join(part for part in parts if part) + "\n"
 
-    def pick(self, choices):  # noqa: ANN001, ANN201
+    def pick(self, choices: Sequence[T]) -> T:
         """One of several."""
         return self.rng.choice(choices)
 
