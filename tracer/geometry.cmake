@@ -20,7 +20,9 @@ add_library(durer_geometry STATIC
   csg/gate.cpp
   csg/solid_targets.cpp
   csg/sweep.cpp
+  primitives/field_packet.cpp
   primitives/field_search.cpp
+  primitives/field_walk.cpp
   primitives/function_field.cpp
   primitives/isosurface_shape.cpp
   primitives/mesh_shape.cpp

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "tracer/primitives/field_packet.h"
 #include "tracer/primitives/field_search.h"
 #include "tracer/primitives/sampled_search.h"
 #include "tracer/primitives/shared_data.h"
@@ -70,6 +71,11 @@ std::pair<std::string, std::string> IsosurfaceShape::doubt() const {
           fmt::format("write `max_gradient {:.3f}`", found)};
 }
 
+double IsosurfaceShape::least() const {
+  constexpr double share = 1.0 / 64;
+  return share * data_->surface->accuracy;
+}
+
 /// Calls take(crossing) in ascending order, at least for all with t_from <= t < t_to, until it
 /// returns true.
 template <typename Take>
@@ -86,8 +92,7 @@ void IsosurfaceShape::each_crossing(const Ray& ray, double t_from, double t_to, 
   };
   int last = 0;
   if (data_->field.has_bounds()) {
-    constexpr double finest = 1.0 / 64;  // parts of the surface shorter than this accuracy's share
-    FieldSearch search(data_->field, ray, t_from, t_to, finest * s.accuracy);
+    FieldSearch search(data_->field, ray, t_from, t_to, least());
     last = search.run(*stretch, found);
   } else {
     SampledSearch search(*data_, ray, t_from, t_to);
@@ -104,6 +109,16 @@ void IsosurfaceShape::crossings(const Ray& ray, Crossings& out) const {
     out.push_back(c);
     return false;
   });
+}
+
+void IsosurfaceShape::nearest(std::span<const PacketRay> rays,
+                              std::span<std::optional<Nearest>> hits) const {
+  if (data_->field.has_bounds()) {
+    return FieldPacket(data_->field, *data_->surface, least()).run(rays, hits);
+  }
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    hits[i] = nearest(rays[i].ray, rays[i].t_from, rays[i].t_to);
+  }
 }
 
 std::optional<Nearest> IsosurfaceShape::nearest(const Ray& ray, double t_from, double t_to) const {

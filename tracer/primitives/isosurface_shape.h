@@ -3,10 +3,12 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "functions/differences.h"
 #include "scene/function_surface.h"
 #include "tracer/primitives/function_field.h"
+#include "tracer/primitives/packet.h"
 #include "tracer/primitives/typed_store.h"
 
 namespace durer::tracer {
@@ -36,9 +38,12 @@ class IsosurfaceShape {
   [[nodiscard]] dvec3 normal(dvec3 p, std::uint32_t part) const;
   void crossings(const Ray& ray, Crossings& out) const;
   [[nodiscard]] std::optional<Nearest> nearest(const Ray& ray, double t_from, double t_to) const;
+  void nearest(std::span<const PacketRay> rays, std::span<std::optional<Nearest>> hits) const;
   [[nodiscard]] std::pair<std::string, std::string> doubt() const;
 
  private:
+  /// How short parts of the surface along a line may be, in units of the shape's space.
+  [[nodiscard]] double least() const;
   template <typename Take>
   void each_crossing(const Ray& ray, double t_from, double t_to, Take take) const;
 

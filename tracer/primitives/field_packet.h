@@ -1,0 +1,69 @@
+// Where several lines meet the zeros of a function field. They walk through its cells together, in
+// single precision, which the bounds of cells allow for; roots are found in double precision.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "scene/function_surface.h"
+#include "tracer/primitives/container.h"
+#include "tracer/primitives/crossing.h"
+#include "tracer/primitives/function_field.h"
+#include "tracer/primitives/packet.h"
+
+namespace durer::tracer {
+
+/// One search, for the first visible crossings.
+class FieldPacket {
+ public:
+  static constexpr std::size_t size = packet_size;
+
+  /// A field with bounds, in the container of `surface`. `least`: as for FieldSearch.
+  FieldPacket(const FunctionField& field, const scene::Isosurface& surface, double least)
+      : field_(field), surface_(surface), least_(least) {}
+
+  /// Answers up to `size` rays. Each answer depends on its ray and the field only.
+  void run(std::span<const PacketRay> rays, std::span<std::optional<Nearest>> hits);
+
+ private:
+  template <class Instructions>
+  friend class FieldWalk;
+
+  template <class T>
+  using PerLane = std::array<T, size>;
+  using Mask = std::uint32_t;  // a bit for every lane
+
+  void start(std::span<const PacketRay> rays);
+  [[nodiscard]] Mask like_directed(Mask lanes) const;
+  void settle(Mask lanes, bool inside, const PerLane<float>& where);
+  void hit(std::size_t lane, double t, std::uint32_t part);
+  void alone(std::size_t lane, float from);
+  void leave(Mask lanes);
+
+  const FunctionField& field_;
+  const scene::Isosurface& surface_;
+  double least_;
+  std::span<const PacketRay> rays_;
+  std::span<std::optional<Nearest>> hits_;
+
+  // Lines as p + u · d: they begin, at u = 0, where they enter the container or their range.
+  alignas(64) std::array<PerLane<double>, 3> p_;
+  alignas(64) std::array<PerLane<double>, 3> d_;
+  alignas(64) PerLane<double> fine_;  // what counts as nothing, in units of u
+  // The same in single precision, p from the centre of the field.
+  alignas(64) std::array<PerLane<float>, 3> near_p_;
+  alignas(64) std::array<PerLane<float>, 3> near_d_;
+  alignas(64) std::array<PerLane<float>, 3> inverse_;
+  alignas(64) PerLane<float> end_;
+  alignas(64) PerLane<float> doubt_;  // errors of u in single precision
+  PerLane<double> begin_;  // on the ray
+  PerLane<Stretch> stretch_;
+  Mask open_ = 0;     // lanes that are still looking
+  Mask known_ = 0;    // those that know on which side they are …
+  Mask inside_ = 0;   // … and are inside
+  Mask entering_ = 0; // those that begin at the face of the container
+};
+
+}  // namespace durer::tracer
