@@ -3,6 +3,7 @@
 #pragma once
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -49,7 +50,7 @@ struct Lanes<Number_, Register, 1> {
   static constexpr int size = sizeof(Register) / sizeof(Number);
   Register v;
 
-  static DURER_INLINE Lanes all(Number x) { return {Register{} + x}; }
+  static DURER_INLINE Lanes all(Number x) { return {x - Register{}}; }  // not +, which would be carried out
   static DURER_INLINE Lanes load(const Number* p) {
     Lanes r;
     std::memcpy(&r.v, p, sizeof r.v);
@@ -62,6 +63,11 @@ struct Lanes<Number_, Register, 1> {
     return {__builtin_convertvector(narrow, Register)};
   }
   DURER_INLINE void store(Number* p) const { std::memcpy(p, &v, sizeof v); }
+  /// Doubles as floats.
+  DURER_INLINE void narrowed(float* p) const {
+    const auto narrow = __builtin_convertvector(v, typename NarrowOf<Register>::Floats);
+    std::memcpy(p, &narrow, sizeof narrow);
+  }
 
   DURER_INLINE Lanes operator+(Lanes o) const { return {v + o.v}; }
   DURER_INLINE Lanes operator-(Lanes o) const { return {v - o.v}; }
@@ -71,6 +77,8 @@ struct Lanes<Number_, Register, 1> {
   friend DURER_INLINE Lanes least(Lanes a, Lanes b) { return {min_of(a.v, b.v)}; }
   friend DURER_INLINE Lanes most(Lanes a, Lanes b) { return {max_of(a.v, b.v)}; }
   friend DURER_INLINE Lanes abs(Lanes a) { return {max_of(a.v, -a.v)}; }
+  /// Of doubles.
+  friend DURER_INLINE Lanes root(Lanes a) { return {root_of(a.v)}; }
   /// A bit for every lane where a > b.
   friend DURER_INLINE unsigned above(Lanes a, Lanes b) { return bits_above(a.v, b.v); }
 
@@ -115,6 +123,20 @@ struct Lanes<Number_, Register, 1> {
     }
 #else
     return a > b ? a : b;
+#endif
+  }
+  static DURER_INLINE Register root_of(Register a) {
+#if defined(__x86_64__) && !defined(__clang__)
+    if constexpr (sizeof(Register) == 64) {
+      return __builtin_ia32_sqrtpd512_mask(a, a, static_cast<std::uint8_t>(-1), 4);
+    } else if constexpr (sizeof(Register) == 32) {
+      return __builtin_ia32_sqrtpd256(a);
+    } else {
+      return __builtin_ia32_sqrtpd(a);
+    }
+#else
+    for (int i = 0; i < size; ++i) a[i] = std::sqrt(a[i]);
+    return a;
 #endif
   }
   static DURER_INLINE unsigned bits_above(Register a, Register b) {
@@ -162,6 +184,10 @@ struct Lanes {
     lo.store(p);
     hi.store(p + Half::size);
   }
+  DURER_INLINE void narrowed(float* p) const {
+    lo.narrowed(p);
+    hi.narrowed(p + Half::size);
+  }
   DURER_INLINE Lanes operator+(Lanes o) const { return {lo + o.lo, hi + o.hi}; }
   DURER_INLINE Lanes operator-(Lanes o) const { return {lo - o.lo, hi - o.hi}; }
   DURER_INLINE Lanes operator*(Lanes o) const { return {lo * o.lo, hi * o.hi}; }
@@ -171,6 +197,7 @@ struct Lanes {
   }
   friend DURER_INLINE Lanes most(Lanes a, Lanes b) { return {most(a.lo, b.lo), most(a.hi, b.hi)}; }
   friend DURER_INLINE Lanes abs(Lanes a) { return {abs(a.lo), abs(a.hi)}; }
+  friend DURER_INLINE Lanes root(Lanes a) { return {root(a.lo), root(a.hi)}; }
   friend DURER_INLINE unsigned above(Lanes a, Lanes b) {
     return above(a.lo, b.lo) | above(a.hi, b.hi) << Half::size;
   }

@@ -8,7 +8,6 @@
 #include <span>
 
 #include "scene/function_surface.h"
-#include "tracer/primitives/container.h"
 #include "tracer/primitives/crossing.h"
 #include "tracer/primitives/function_field.h"
 #include "tracer/primitives/packet.h"
@@ -35,12 +34,14 @@ class FieldPacket {
   using PerLane = std::array<T, size>;
   using Mask = std::uint32_t;  // a bit for every lane
 
-  void start(std::span<const PacketRay> rays);
-  [[nodiscard]] Mask like_directed(Mask lanes) const;
   void settle(Mask lanes, bool inside, const PerLane<float>& where);
   void hit(std::size_t lane, double t, std::uint32_t part);
-  void alone(std::size_t lane, float from);
+  void enter(std::size_t lane);
+  void alone(std::size_t lane, const FieldCell& cell, const FieldDetail& detail, float from,
+             float to);
   void leave(Mask lanes);
+  [[nodiscard]] std::uint32_t face(const std::array<PerLane<double>, 3>& at, std::size_t lane,
+                                   double t, bool far) const;
 
   const FunctionField& field_;
   const scene::Isosurface& surface_;
@@ -51,19 +52,25 @@ class FieldPacket {
   // Lines as p + u · d: they begin, at u = 0, where they enter the container or their range.
   alignas(64) std::array<PerLane<double>, 3> p_;
   alignas(64) std::array<PerLane<double>, 3> d_;
-  alignas(64) PerLane<double> fine_;  // what counts as nothing, in units of u
-  // The same in single precision, p from the centre of the field.
-  alignas(64) std::array<PerLane<float>, 3> near_p_;
-  alignas(64) std::array<PerLane<float>, 3> near_d_;
+  alignas(64) PerLane<double> t_from_;
+  alignas(64) PerLane<double> t_to_;
+  alignas(64) PerLane<double> begin_;  // on the ray
+  alignas(64) PerLane<double> enter_;  // likewise, where it goes into the container …
+  alignas(64) PerLane<double> leave_;  // … and comes out
+  // Of a box: where the line meets its planes.
+  alignas(64) std::array<PerLane<double>, 3> near_;
+  alignas(64) std::array<PerLane<double>, 3> far_;
+  alignas(64) PerLane<double> fine_;   // what counts as nothing, in units of u
+  // In single precision, p from the centre of the field.
+  alignas(64) std::array<PerLane<float>, 3> short_p_;
+  alignas(64) std::array<PerLane<float>, 3> short_d_;
   alignas(64) std::array<PerLane<float>, 3> inverse_;
   alignas(64) PerLane<float> end_;
   alignas(64) PerLane<float> doubt_;  // errors of u in single precision
-  PerLane<double> begin_;  // on the ray
-  PerLane<Stretch> stretch_;
-  Mask open_ = 0;     // lanes that are still looking
-  Mask known_ = 0;    // those that know on which side they are …
-  Mask inside_ = 0;   // … and are inside
-  Mask entering_ = 0; // those that begin at the face of the container
+  Mask open_ = 0;      // lanes that are still looking
+  Mask known_ = 0;     // those that know on which side they are …
+  Mask inside_ = 0;    // … and are inside
+  Mask entering_ = 0;  // those that begin at the face of the container
 };
 
 }  // namespace durer::tracer

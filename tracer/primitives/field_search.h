@@ -24,17 +24,32 @@ class FieldSearch {
   /// end the search. The sign at the end is the result; 0 if it was not reached.
   template <typename Take>
   int run(const Stretch& stretch, Take take) {
+    begin(stretch, take);
+    if (stretch.to <= t_from_ || stretch.from >= t_to_) return 0;
+    walk(stretch.from, stretch.to);
+    return done_ ? 0 : sign_;
+  }
+  /// The same in a part of the line that lies in one cell, which has no halves. `sign`: in front of
+  /// it, if it is known, else 0.
+  template <typename Take>
+  int run_in(const FieldCell& cell, const FieldDetail& detail, const Stretch& part, int sign,
+             Take take) {
+    begin(part, take);
+    sign_ = sign;
+    started_ = sign != 0;
+    examine(detail, line_in(cell), part.from, part.to);
+    return done_ ? 0 : sign_;
+  }
+
+ private:
+  template <typename Take>
+  void begin(const Stretch& stretch, Take& take) {
     stretch_ = stretch;
     context_ = &take;
     take_ = [](void* context, double t, int sign) {
       return (*static_cast<Take*>(context))(t, sign);
     };
-    if (stretch.to <= t_from_ || stretch.from >= t_to_) return 0;
-    walk(stretch.from, stretch.to);
-    return done_ ? 0 : sign_;
   }
-
- private:
   /// A sign that is known to hold from t on.
   void settle(int sign, double t);
   [[nodiscard]] double value(double t);

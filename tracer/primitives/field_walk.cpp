@@ -2,6 +2,8 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
+#include <glm/geometric.hpp>
 
 #include "tracer/accel/lanes.h"
 #include "tracer/accel/vector_lanes.h"
@@ -25,9 +27,15 @@ class FieldWalk {
         field_(packet.field_),
         evaluator_(*packet.field_.function(), function_workspace(packet.field_.generator())) {}
 
-  DURER_INLINE void run(Mask lanes);
+  DURER_INLINE void run();
 
  private:
+  DURER_INLINE void start(std::size_t first);
+  DURER_INLINE Mask meet_box(std::size_t first);
+  DURER_INLINE Mask meet_sphere(std::size_t first);
+  DURER_INLINE Mask alike(Mask lanes) const;
+  DURER_INLINE void walk(Mask lanes);
+
   struct Line {
     Floats at, slope;
   };
@@ -43,12 +51,14 @@ class FieldWalk {
   DURER_INLINE Line line_in(const FieldCell& cell) const;
   DURER_INLINE Floats spread_in(const FieldDetail& cell) const;
   DURER_INLINE void settle(Mask lanes, bool inside, Floats where) {
+    const Mask as_before = packet_.known_ & ~(packet_.inside_ ^ (inside ? ~Mask{0} : 0));
+    if ((lanes & ~as_before) == 0) return;
     alignas(64) FieldPacket::PerLane<float> u;
     where.store(u.data());
     packet_.settle(lanes, inside, u);
   }
-  DURER_INLINE void examine(const FieldCell& cell, Mask lanes, const Line& line, Floats spread,
-                            Floats begin, Floats end);
+  DURER_INLINE void examine(const FieldCell& cell, const FieldDetail& detail, Mask lanes,
+                            const Line& line, Floats spread, Floats begin, Floats end);
   DURER_INLINE Doubles values(std::size_t first, Doubles u);
   DURER_INLINE Mask inside_at(Mask lanes, Floats u);
   DURER_INLINE void solve(std::size_t first, Mask lanes);
@@ -66,26 +76,135 @@ auto FieldWalk<Instructions>::line_in(const FieldCell& cell) const -> Line {
     return load(v[0]) * Floats::all(cell.slope[0]) + load(v[1]) * Floats::all(cell.slope[1]) +
            load(v[2]) * Floats::all(cell.slope[2]);
   };
-  return {dot(packet_.near_p_) + Floats::all(cell.value), dot(packet_.near_d_)};
+  return {dot(packet_.short_p_) + Floats::all(cell.value), dot(packet_.short_d_)};
 }
 
 /// By how much slopes along the lines may differ in the cell.
 template <class Instructions>
 auto FieldWalk<Instructions>::spread_in(const FieldDetail& cell) const -> Floats {
   const auto part = [&](std::size_t k) DURER_LAMBDA_INLINE {
-    return abs(load(packet_.near_d_[k])) * Floats::all(cell.spread[k]);
+    return abs(load(packet_.short_d_[k])) * Floats::all(cell.spread[k]);
   };
   return (part(0) + part(1) + part(2)) * Floats::all(1 + 2e-6F);
 }
 
 template <class Instructions>
-void FieldWalk<Instructions>::run(Mask lanes) {
+void FieldWalk<Instructions>::run() {
+  for (std::size_t first = 0; first < FieldPacket::size; first += group) start(first);
+  packet_.open_ &= (Mask{1} << packet_.rays_.size()) - 1;
+  while (packet_.open_ != 0) {
+    const Mask together = alike(packet_.open_);
+    walk(together);
+    packet_.leave(together & packet_.open_);
+  }
+}
+
+/// Where a group of lines enters the container, and what the walk needs to know of them.
+template <class Instructions>
+void FieldWalk<Instructions>::start(std::size_t first) {
+  const bool box = packet_.surface_.container.kind == scene::Container::Kind::box;
+  Mask open = box ? meet_box(first) : meet_sphere(first);
+  const auto load_at = [&](const FieldPacket::PerLane<double>& v) DURER_LAMBDA_INLINE {
+    return Doubles::load(&v[first]);
+  };
+  const Doubles enter = load_at(packet_.enter_);
+  const Doubles leave = load_at(packet_.leave_);
+  const Doubles t_from = load_at(packet_.t_from_);
+  const Doubles t_to = load_at(packet_.t_to_);
+  open &= above(t_to, enter) & ~above(t_from, leave);
+  const Doubles begin = most(enter, t_from);
+  begin.store(&packet_.begin_[first]);
+  (least(leave, t_to) - begin).narrowed(&packet_.end_[first]);
+  const dvec3 centre = field_.centre();
+  Doubles steps = Doubles::all(0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Doubles d = load_at(packet_.d_[k]);
+    const Doubles p = load_at(packet_.p_[k]) + begin * d;
+    p.store(&packet_.p_[k][first]);
+    (p - Doubles::all(centre[static_cast<int>(k)])).narrowed(&packet_.short_p_[k][first]);
+    d.narrowed(&packet_.short_d_[k][first]);
+    const Doubles inverse = Doubles::all(1) / d;
+    most(least(inverse, Doubles::all(1e30)), Doubles::all(-1e30))
+        .narrowed(&packet_.inverse_[k][first]);
+    steps = steps + abs(d);
+  }
+  const Doubles size = Doubles::all(glm::length(field_.half())) / steps;
+  (size * Doubles::all(1e-8)).store(&packet_.fine_[first]);
+  (size * Doubles::all(4e-6)).narrowed(&packet_.doubt_[first]);
+  packet_.open_ |= open << first;
+  packet_.entering_ |= (open & ~above(t_from, enter)) << first;
+}
+
+/// Fills in enter_ and leave_, as stretch_in() has them; returns who meets the container.
+template <class Instructions>
+auto FieldWalk<Instructions>::meet_box(std::size_t first) -> Mask {
+  const scene::Container& c = packet_.surface_.container;
+  Doubles enter = Doubles::all(-std::numeric_limits<double>::infinity());
+  Doubles leave = Doubles::all(std::numeric_limits<double>::infinity());
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Doubles o = Doubles::load(&packet_.p_[k][first]);
+    const Doubles d = Doubles::load(&packet_.d_[k][first]);
+    const Doubles a = (Doubles::all(c.lo[static_cast<int>(k)]) - o) / d;
+    const Doubles b = (Doubles::all(c.hi[static_cast<int>(k)]) - o) / d;
+    const Doubles near = least(a, b);
+    const Doubles far = most(a, b);
+    near.store(&packet_.near_[k][first]);
+    far.store(&packet_.far_[k][first]);
+    enter = most(near, enter);
+    leave = least(far, leave);
+  }
+  enter.store(&packet_.enter_[first]);
+  leave.store(&packet_.leave_[first]);
+  return above(leave, enter) & above(enter, Doubles::all(-std::numeric_limits<double>::max()));
+}
+
+template <class Instructions>
+auto FieldWalk<Instructions>::meet_sphere(std::size_t first) -> Mask {
+  const scene::Container& c = packet_.surface_.container;
+  const auto vector = [&](const auto& v) DURER_LAMBDA_INLINE {
+    return std::array{Doubles::load(&v[0][first]), Doubles::load(&v[1][first]),
+                      Doubles::load(&v[2][first])};
+  };
+  const auto dot = [](const auto& a, const auto& b) DURER_LAMBDA_INLINE {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  };
+  const auto o = vector(packet_.p_);
+  const auto d = vector(packet_.d_);
+  const std::array centre{Doubles::all(c.centre.x), Doubles::all(c.centre.y),
+                          Doubles::all(c.centre.z)};
+  std::array<Doubles, 3> way;
+  for (std::size_t k = 0; k < 3; ++k) way[k] = centre[k] - o[k];
+  const Doubles d2 = dot(d, d);
+  const Doubles middle = dot(way, d) / d2;
+  std::array<Doubles, 3> miss;
+  for (std::size_t k = 0; k < 3; ++k) miss[k] = o[k] + middle * d[k] - centre[k];
+  const Doubles h2 = Doubles::all(c.radius * c.radius) - dot(miss, miss);
+  const Doubles half = root(h2 / d2);
+  (middle - half).store(&packet_.enter_[first]);
+  (middle + half).store(&packet_.leave_[first]);
+  return above(h2, Doubles::all(0));
+}
+
+/// Those lanes that meet the halves of cells in the same order as the first of them.
+template <class Instructions>
+auto FieldWalk<Instructions>::alike(Mask lanes) const -> Mask {
+  Mask alike = lanes;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Mask falling = above(Floats::all(0), load(packet_.inverse_[k]));
+    const bool first = (falling >> std::countr_zero(lanes) & 1) != 0;
+    alike &= first ? falling : ~falling;
+  }
+  return alike;
+}
+
+template <class Instructions>
+void FieldWalk<Instructions>::walk(Mask lanes) {
   std::array<Later, grazing_depth + 1> later;
   std::size_t waiting = 0;
   const auto any = static_cast<std::size_t>(std::countr_zero(lanes));
-  const std::array<std::size_t, 3> nearer{std::signbit(packet_.near_d_[0][any]) ? 1U : 0U,
-                                          std::signbit(packet_.near_d_[1][any]) ? 1U : 0U,
-                                          std::signbit(packet_.near_d_[2][any]) ? 1U : 0U};
+  const std::array<std::size_t, 3> nearer{packet_.inverse_[0][any] < 0 ? 1U : 0U,
+                                          packet_.inverse_[1][any] < 0 ? 1U : 0U,
+                                          packet_.inverse_[2][any] < 0 ? 1U : 0U};
   const dvec3 centre = field_.centre();
   const FieldCell* cell = &field_.root();
   Floats begin = Floats::all(0);
@@ -129,7 +248,7 @@ void FieldWalk<Instructions>::run(Mask lanes) {
         if (state != State::rough && detail.depth < grazing_depth) {
           here &= above(abs(line.slope), spread);
         }
-        if (here != 0) examine(*cell, here, line, spread, begin, end);
+        if (here != 0) examine(*cell, detail, here, line, spread, begin, end);
         lanes &= ~here;
       }
       if (lanes == 0) {
@@ -143,7 +262,7 @@ void FieldWalk<Instructions>::run(Mask lanes) {
     const FieldHalves& halves = link.halves();
     const auto plane = static_cast<float>(halves.plane - centre[static_cast<int>(k)]);
     const Floats middle =
-        (Floats::all(plane) - load(packet_.near_p_[k])) * load(packet_.inverse_[k]);
+        (Floats::all(plane) - load(packet_.short_p_[k])) * load(packet_.inverse_[k]);
     const Mask first = lanes & above(middle, begin);
     const Mask second = lanes & (above(end, middle) | ~first);
     if (first == 0) {
@@ -166,15 +285,17 @@ void FieldWalk<Instructions>::run(Mask lanes) {
 
 /// Looks for changes of sign in a cell that has no halves to ask.
 template <class Instructions>
-void FieldWalk<Instructions>::examine(const FieldCell& cell, Mask lanes, const Line& line,
-                                      Floats spread, Floats begin, Floats end) {
+void FieldWalk<Instructions>::examine(const FieldCell& cell, const FieldDetail& detail,
+                                      Mask lanes, const Line& line, Floats spread, Floats begin, Floats end) {
   const Floats steep = abs(line.slope);
   const float bound = cell.above.load(std::memory_order_relaxed);
   const Mask rough = lanes & ~(std::isfinite(bound) ? above(steep, spread) : 0);
   if (rough != 0) {
-    alignas(64) FieldPacket::PerLane<float> u;
-    begin.store(u.data());
-    each_bit(rough, [&](std::size_t i) { packet_.alone(i, u[i]); });
+    alignas(64) FieldPacket::PerLane<float> from;
+    alignas(64) FieldPacket::PerLane<float> to;
+    begin.store(from.data());
+    end.store(to.data());
+    each_bit(rough, [&](std::size_t i) { packet_.alone(i, cell, detail, from[i], to[i]); });
     lanes &= ~rough;
     if (lanes == 0) return;
   }
@@ -313,19 +434,19 @@ void FieldWalk<Instructions>::solve(std::size_t first, Mask lanes) {
 namespace {
 
 template <class Instructions>
-DURER_INLINE void walk_with(FieldPacket& packet, std::uint32_t lanes) {
-  FieldWalk<Instructions>(packet).run(lanes);
+DURER_INLINE void walk_with(FieldPacket& packet) {
+  FieldWalk<Instructions>(packet).run();
 }
-using Walk = void (*)(FieldPacket&, std::uint32_t);
-void walk_128(FieldPacket& packet, std::uint32_t lanes) {
-  walk_with<wide::LanesOf<16>>(packet, lanes);
+using Walk = void (*)(FieldPacket&);
+void walk_128(FieldPacket& packet) {
+  walk_with<wide::LanesOf<16>>(packet);
 }
 #if defined(__x86_64__)
-DURER_AVX2 void walk_256(FieldPacket& packet, std::uint32_t lanes) {
-  walk_with<wide::LanesOf<32>>(packet, lanes);
+DURER_AVX2 void walk_256(FieldPacket& packet) {
+  walk_with<wide::LanesOf<32>>(packet);
 }
-DURER_AVX512 void walk_512(FieldPacket& packet, std::uint32_t lanes) {
-  walk_with<wide::LanesOf<64>>(packet, lanes);
+DURER_AVX512 void walk_512(FieldPacket& packet) {
+  walk_with<wide::LanesOf<64>>(packet);
 }
 #endif
 
@@ -342,9 +463,9 @@ Walk best_walk() {
 
 }  // namespace
 
-void walk_field(FieldPacket& packet, std::uint32_t lanes) {
+void walk_field(FieldPacket& packet) {
   static const Walk walk = best_walk();
-  walk(packet, lanes);
+  walk(packet);
 }
 
 }  // namespace durer::tracer
