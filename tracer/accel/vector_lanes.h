@@ -50,7 +50,7 @@ struct Lanes<Number_, Register, 1> {
   static constexpr int size = sizeof(Register) / sizeof(Number);
   Register v;
 
-  static DURER_INLINE Lanes all(Number x) { return {x - Register{}}; }  // not +, which would be carried out
+  static DURER_INLINE Lanes all(Number x) { return {all_of(x)}; }
   static DURER_INLINE Lanes load(const Number* p) {
     Lanes r;
     std::memcpy(&r.v, p, sizeof r.v);
@@ -87,6 +87,20 @@ struct Lanes<Number_, Register, 1> {
 
   // GCC does not see these in the plain form, and its intrinsics would not fit into code for several
   // instruction sets.
+  static DURER_INLINE Register all_of(Number x) {
+#if defined(__x86_64__) && !defined(__clang__)
+    if constexpr (is_float && sizeof(Register) == 64) {
+      return __builtin_ia32_broadcastss512(Float4{x}, Register{}, static_cast<std::uint16_t>(-1));
+    } else if constexpr (sizeof(Register) == 64) {
+      return __builtin_ia32_broadcastsd512(Double2{x}, Register{}, static_cast<std::uint8_t>(-1));
+    } else if constexpr (is_float && sizeof(Register) == 32) {
+      return __builtin_ia32_vbroadcastss256(&x);
+    } else if constexpr (sizeof(Register) == 32) {
+      return __builtin_ia32_vbroadcastsd256(&x);
+    }
+#endif
+    return x - Register{};  // not +, which would be carried out
+  }
   static DURER_INLINE Register min_of(Register a, Register b) {
 #if defined(__x86_64__) && !defined(__clang__)
     if constexpr (is_float && sizeof(Register) == 64) {
