@@ -79,6 +79,10 @@ struct Lanes<Number_, Register, 1> {
   friend DURER_INLINE Lanes abs(Lanes a) { return {max_of(a.v, -a.v)}; }
   /// Of doubles.
   friend DURER_INLINE Lanes root(Lanes a) { return {root_of(a.v)}; }
+  /// Of floats: the one or the other.
+  friend DURER_INLINE Lanes chosen(bool first, Lanes a, Lanes b) {
+    return {chosen_of(first, a.v, b.v)};
+  }
   /// A bit for every lane where a > b.
   friend DURER_INLINE unsigned above(Lanes a, Lanes b) { return bits_above(a.v, b.v); }
 
@@ -153,6 +157,15 @@ struct Lanes<Number_, Register, 1> {
     return a;
 #endif
   }
+  static DURER_INLINE Register chosen_of(bool first, Register a, Register b) {
+#if defined(__x86_64__) && !defined(__clang__)
+    if constexpr (sizeof(Register) == 64) {
+      const auto mask = static_cast<std::uint16_t>(first ? -1 : 0);
+      return __builtin_ia32_blendmps_512_mask(b, a, mask);
+    }
+#endif
+    return first ? a : b;
+  }
   static DURER_INLINE unsigned bits_above(Register a, Register b) {
 #if defined(__x86_64__) && !defined(__clang__)
     constexpr int greater = 0x1e;  // false where one is not a number
@@ -212,6 +225,9 @@ struct Lanes {
   friend DURER_INLINE Lanes most(Lanes a, Lanes b) { return {most(a.lo, b.lo), most(a.hi, b.hi)}; }
   friend DURER_INLINE Lanes abs(Lanes a) { return {abs(a.lo), abs(a.hi)}; }
   friend DURER_INLINE Lanes root(Lanes a) { return {root(a.lo), root(a.hi)}; }
+  friend DURER_INLINE Lanes chosen(bool first, Lanes a, Lanes b) {
+    return {chosen(first, a.lo, b.lo), chosen(first, a.hi, b.hi)};
+  }
   friend DURER_INLINE unsigned above(Lanes a, Lanes b) {
     return above(a.lo, b.lo) | above(a.hi, b.hi) << Half::size;
   }

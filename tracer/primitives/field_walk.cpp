@@ -199,13 +199,12 @@ auto FieldWalk<Instructions>::alike(Mask lanes) const -> Mask {
 
 template <class Instructions>
 void FieldWalk<Instructions>::walk(Mask lanes) {
-  std::array<Later, grazing_depth + 1> later;
+  std::array<Later, grazing_depth + 2> later;
   std::size_t waiting = 0;
   const auto any = static_cast<std::size_t>(std::countr_zero(lanes));
   const std::array<std::size_t, 3> nearer{packet_.inverse_[0][any] < 0 ? 1U : 0U,
                                           packet_.inverse_[1][any] < 0 ? 1U : 0U,
                                           packet_.inverse_[2][any] < 0 ? 1U : 0U};
-  const dvec3 centre = field_.centre();
   const FieldCell* cell = &field_.root();
   Floats begin = Floats::all(0);
   Floats end = load(packet_.end_);
@@ -230,7 +229,7 @@ void FieldWalk<Instructions>::walk(Mask lanes) {
       if (!next()) return;
       continue;
     }
-    if (state != State::vague) {
+    if (state != State::vague && state != State::halved) {
       const Line line = line_in(*cell);
       const Floats a = line.at + line.slope * begin;
       const Floats b = line.at + line.slope * end;
@@ -260,26 +259,22 @@ void FieldWalk<Instructions>::walk(Mask lanes) {
     const std::size_t near = nearer[k];
     if (!link.has_halves()) link = field_.split(*cell, link, near);
     const FieldHalves& halves = link.halves();
-    const auto plane = static_cast<float>(halves.plane - centre[static_cast<int>(k)]);
     const Floats middle =
-        (Floats::all(plane) - load(packet_.short_p_[k])) * load(packet_.inverse_[k]);
+        (Floats::all(halves.short_plane) - load(packet_.short_p_[k])) * load(packet_.inverse_[k]);
     const Mask first = lanes & above(middle, begin);
     const Mask second = lanes & (above(end, middle) | ~first);
-    if (first == 0) {
-      cell = &halves.cells[1 - near];
-      begin = most(begin, middle);
-      continue;
-    }
-    if (second != 0) {
-      Later& then = later[waiting++];
-      most(begin, middle).store(then.begin.data());
-      end.store(then.end.data());
-      then.cell = &halves.cells[1 - near];
-      then.lanes = second;
-    }
-    cell = &halves.cells[near];
-    lanes = first;
-    end = least(end, middle);
+    // Without branches, which could not be foretold.
+    Later& then = later[waiting];
+    waiting += first != 0 && second != 0 ? 1 : 0;
+    const Floats farther = most(begin, middle);
+    farther.store(then.begin.data());
+    end.store(then.end.data());
+    then.cell = &halves.cells[1 - near];
+    then.lanes = second;
+    cell = &halves.cells[first != 0 ? near : 1 - near];
+    begin = chosen(first != 0, begin, farther);
+    end = chosen(first != 0, least(end, middle), end);
+    lanes = first != 0 ? first : second;
   }
 }
 

@@ -14,7 +14,7 @@ using functions::Function;
 using State = FieldLink::State;
 
 /// Slopes are known well if they vary by less than this share of the gradient.
-constexpr double smoothness = 0.5;
+constexpr double smoothness = 0.7;
 
 /// The least float that is not below `v`.
 float rounded_up(double v) {
@@ -110,6 +110,7 @@ FieldLink FunctionField::split(const FieldCell& cell, FieldLink link, std::size_
   const FieldDetail& parent = link.detail();
   const int k = link.axis();
   made->plane = parent.centre[k];
+  made->short_plane = static_cast<float>(parent.centre[k] - centre()[k]);
   const double bound = load(cell.above);
   for (const std::size_t i : {1 - next, next}) {  // what is examined last is remembered
     FieldDetail& part = made->details[i];

@@ -97,7 +97,8 @@ struct FieldCell {
 /// The lower and the higher half of a cell.
 struct FieldHalves {
   alignas(64) std::array<FieldCell, 2> cells;
-  double plane = 0;  // the coordinate between them
+  double plane = 0;  // the coordinate between them …
+  float short_plane = 0;  // … from the centre of the field
   std::array<FieldDetail, 2> details;
 
   /// Of the cell that they are halves of.
