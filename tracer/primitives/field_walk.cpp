@@ -21,6 +21,7 @@ class FieldWalk {
   using Mask = FieldPacket::Mask;
   using State = FieldLink::State;
   static constexpr std::size_t group = Doubles::size;
+  static constexpr Mask all_of_group = (Mask{1} << group) - 1;
 
   DURER_INLINE explicit FieldWalk(FieldPacket& packet)
       : packet_(packet),
@@ -59,6 +60,9 @@ class FieldWalk {
   }
   DURER_INLINE void examine(const FieldCell& cell, const FieldDetail& detail, Mask lanes,
                             const Line& line, Floats spread, Floats begin, Floats end);
+  DURER_INLINE void turn(const FieldCell& cell, const FieldDetail& detail, Mask lanes, Floats slope,
+                         Floats spread, Floats begin, Floats end);
+  DURER_INLINE Mask clear_of_zero(std::size_t first, Mask lanes);
   DURER_INLINE Doubles values(std::size_t first, Doubles u);
   DURER_INLINE Mask inside_at(Mask lanes, Floats u);
   DURER_INLINE void solve(std::size_t first, Mask lanes);
@@ -286,11 +290,7 @@ void FieldWalk<Instructions>::examine(const FieldCell& cell, const FieldDetail& 
   const float bound = cell.above.load(std::memory_order_relaxed);
   const Mask rough = lanes & ~(std::isfinite(bound) ? above(steep, spread) : 0);
   if (rough != 0) {
-    alignas(64) FieldPacket::PerLane<float> from;
-    alignas(64) FieldPacket::PerLane<float> to;
-    begin.store(from.data());
-    end.store(to.data());
-    each_bit(rough, [&](std::size_t i) { packet_.alone(i, cell, detail, from[i], to[i]); });
+    turn(cell, detail, rough, line.slope, spread, begin, end);
     lanes &= ~rough;
     if (lanes == 0) return;
   }
@@ -324,9 +324,68 @@ void FieldWalk<Instructions>::examine(const FieldCell& cell, const FieldDetail& 
   most(from, least(guess, to)).store(guess_.data());
   (guess + reach).store(reach_.data());
   for (std::size_t first = 0; first < FieldPacket::size; first += group) {
-    const Mask some = lanes >> first & ((Mask{1} << group) - 1);
+    const Mask some = lanes >> first & all_of_group;
     if (some != 0) solve(first, some);
   }
+}
+
+/// Lines along which the function may turn round in the cell. Most keep clear of zero all the same, as
+/// a few values tell; others are followed one by one.
+template <class Instructions>
+void FieldWalk<Instructions>::turn(const FieldCell& cell, const FieldDetail& detail, Mask lanes,
+                                   Floats slope, Floats spread, Floats begin, Floats end) {
+  slope.store(slope_.data());
+  spread.store(spread_.data());
+  begin.store(from_.data());
+  end.store(to_.data());
+  const bool bounded = std::isfinite(cell.above.load(std::memory_order_relaxed));
+  Mask clear = 0;
+  for (std::size_t first = 0; first < FieldPacket::size && bounded; first += group) {
+    const Mask some = lanes >> first & all_of_group;
+    if (some != 0) clear |= clear_of_zero(first, some) << first;
+  }
+  each_bit(lanes & ~clear & packet_.open_, [&](std::size_t i) {
+    packet_.alone(i, cell, detail, from_[i], to_[i]);
+  });
+}
+
+/// Which lines of a group have no root between from_ and to_, as far as that is found out quickly; their
+/// sides are settled.
+template <class Instructions>
+auto FieldWalk<Instructions>::clear_of_zero(std::size_t first, Mask lanes) -> Mask {
+  const Doubles zero = Doubles::all(0);
+  const Doubles begin = Doubles::widened(&from_[first]);
+  const Doubles end = Doubles::widened(&to_[first]);
+  const Doubles slope = Doubles::widened(&slope_[first]);
+  const Doubles spread = Doubles::widened(&spread_[first]);
+  // Where the line that falls from a as steeply as it may meets the one that rises to b, that is,
+  // above or below zero (FieldSearch::stays_clear).
+  const auto clear = [&](Doubles a, Doubles b, Doubles length) DURER_LAMBDA_INLINE {
+    const auto stays = [&](Doubles up, Doubles down, Doubles from, Doubles to)
+                           DURER_LAMBDA_INLINE {
+      return above(from * up - to * down + down * up * length, zero);
+    };
+    const Doubles lowest = slope - spread;
+    const Doubles highest = slope + spread;
+    const Mask outside = above(a, zero) & above(b, zero) & stays(highest, lowest, a, b);
+    const Mask inside = above(zero, a) & above(zero, b) &
+                        stays(zero - lowest, zero - highest, zero - a, zero - b);
+    return outside | inside;
+  };
+  const Doubles a = values(first, begin);
+  const Doubles b = values(first, end);
+  const Doubles length = end - begin;
+  Mask found = lanes & clear(a, b, length);
+  if (found != lanes) {
+    const Doubles half = length * Doubles::all(0.5);
+    const Doubles middle = values(first, begin + half);
+    found |= lanes & clear(a, middle, half) & clear(middle, b, half);
+  }
+  const Mask outside = found & above(a, zero);
+  const Floats where = load(from_);
+  if (outside != 0) settle(outside << first, false, where);
+  if (outside != found) settle((found & ~outside) << first, true, where);
+  return found;
 }
 
 /// Values of the function, less the threshold, at `u` on a group of lines.
@@ -347,7 +406,7 @@ auto FieldWalk<Instructions>::inside_at(Mask lanes, Floats u) -> Mask {
   u.store(places.data());
   Mask inside = 0;
   for (std::size_t first = 0; first < FieldPacket::size; first += group) {
-    if ((lanes >> first & ((Mask{1} << group) - 1)) == 0) continue;
+    if ((lanes >> first & all_of_group) == 0) continue;
     const Doubles v = values(first, Doubles::widened(&places[first]));
     // Zero counts as inside, and what is not a number as outside.
     alignas(64) std::array<double, group> g;
@@ -369,7 +428,10 @@ void FieldWalk<Instructions>::solve(std::size_t first, Mask lanes) {
   const Doubles steep = abs(slope);
   const Doubles spread = of(spread_);
   const Doubles flattest = steep - spread;
-  const Doubles steepest = steep + spread;
+  // Ways along the line for a difference of one.
+  const Doubles longest = one / flattest;
+  const Doubles shortest = one / (steep + spread);
+  const Doubles usual = one / steep;
   const Doubles begin = of(from_);
   const Doubles end = of(to_);
   const Doubles fine = Doubles::load(&packet_.fine_[first]);
@@ -398,21 +460,21 @@ void FieldWalk<Instructions>::solve(std::size_t first, Mask lanes) {
     const Doubles v = sign * values(first, u);
     const Mask positive = above(v, zero);
     const Mask negative = above(zero, v);
-    const Doubles a = v / flattest;
-    const Doubles b = v / steepest;
+    const Doubles a = v * longest;
+    const Doubles b = v * shortest;
     lo = most(lo, u - most(a, b));
     hi = least(hi, u - least(a, b));
     const Mask is_number = above(one, v - v);
     lanes &= is_number & (positive | ~(above(lo, end) | (negative & ~above(end, u))));
-    Doubles next = u - v / steep;
-    Doubles doubt = abs(next - u) * (spread / flattest);
-    if (i > 0) {
-      const Doubles secant = most(flattest, least((v - last_v) / (u - last_u), steepest));
-      next = u - v / secant;
-      doubt = (next - u) * (next - u) / abs(u - last_u);
-    }
+    // Errors of secants shrink like e[i+1] = c e[i] e[i-1], and a step is about the error of its
+    // beginning.
+    const Doubles step = i == 0 ? v * usual
+                                : v * most(shortest, least((u - last_u) / (v - last_v), longest));
+    Doubles next = u - step;
+    const Doubles doubt = i == 0 ? abs(step) * spread : step * step;
+    const Doubles little = i == 0 ? tenth * flattest : tenth * abs(u - last_u);
     next = most(lo, least(next, most(lo, hi)));
-    const Mask done = lanes & (~above(doubt, tenth) | ~above(hi - lo, fine));
+    const Mask done = lanes & (~above(doubt, little) | ~above(hi - lo, fine));
     if (done != 0) found(done, least(next, end));
     if (lanes == 0) return;
     if (i > 12) next = lo + (hi - lo) * Doubles::all(0.5);
