@@ -19,9 +19,10 @@ class FieldPacket {
  public:
   static constexpr std::size_t size = packet_size;
 
-  /// A field with bounds, in the container of `surface`. `least`: as for FieldSearch.
-  FieldPacket(const FunctionField& field, const scene::Isosurface& surface, double least)
-      : field_(field), surface_(surface), least_(least) {}
+  /// A field with bounds, in the container of `surface`. `least`: as for FieldSearch. `any`: it is
+  /// enough to know that there is a crossing, and about where.
+  FieldPacket(const FunctionField& field, const scene::Isosurface& surface, double least, bool any)
+      : field_(field), surface_(surface), least_(least), any_(any) {}
 
   /// Answers up to `size` rays. Each answer depends on its ray and the field only.
   void run(std::span<const PacketRay> rays, std::span<std::optional<Nearest>> hits);
@@ -46,6 +47,7 @@ class FieldPacket {
   const FunctionField& field_;
   const scene::Isosurface& surface_;
   double least_;
+  bool any_;
   std::span<const PacketRay> rays_;
   std::span<std::optional<Nearest>> hits_;
 

@@ -66,6 +66,7 @@ class FieldWalk {
   DURER_INLINE Doubles values(std::size_t first, Doubles u);
   DURER_INLINE Mask inside_at(Mask lanes, Floats u);
   DURER_INLINE void solve(std::size_t first, Mask lanes);
+  DURER_INLINE void find_any(std::size_t first, Mask lanes, Mask rising);
 
   FieldPacket& packet_;
   const FunctionField& field_;
@@ -325,7 +326,12 @@ void FieldWalk<Instructions>::examine(const FieldCell& cell, const FieldDetail& 
   (guess + reach).store(reach_.data());
   for (std::size_t first = 0; first < FieldPacket::size; first += group) {
     const Mask some = lanes >> first & all_of_group;
-    if (some != 0) solve(first, some);
+    if (some == 0) continue;
+    if (packet_.any_) {
+      find_any(first, some, rising >> first);
+    } else {
+      solve(first, some);
+    }
   }
 }
 
@@ -414,6 +420,16 @@ auto FieldWalk<Instructions>::inside_at(Mask lanes, Floats u) -> Mask {
     for (std::size_t i = 0; i < group; ++i) inside |= (g[i] <= 0 ? Mask{1} : 0) << (first + i);
   }
   return inside;
+}
+
+/// As solve(), if it does not matter where in the band a root is: the side at its end tells.
+template <class Instructions>
+void FieldWalk<Instructions>::find_any(std::size_t first, Mask lanes, Mask rising) {
+  const Doubles zero = Doubles::all(0);
+  const Doubles v = values(first, Doubles::widened(&to_[first]));
+  each_bit(lanes & ((rising & above(v, zero)) | (~rising & above(zero, v))), [&](std::size_t i) {
+    packet_.hit(first + i, packet_.begin_[first + i] + static_cast<double>(from_[first + i]), 0);
+  });
 }
 
 /// Roots of a function whose slopes are known to have one sign, see FieldSearch::solve.

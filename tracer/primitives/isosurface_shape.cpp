@@ -112,9 +112,9 @@ void IsosurfaceShape::crossings(const Ray& ray, Crossings& out) const {
 }
 
 void IsosurfaceShape::nearest(std::span<const PacketRay> rays,
-                              std::span<std::optional<Nearest>> hits) const {
+                              std::span<std::optional<Nearest>> hits, bool any) const {
   if (data_->field.has_bounds()) {
-    return FieldPacket(data_->field, *data_->surface, least()).run(rays, hits);
+    return FieldPacket(data_->field, *data_->surface, least(), any).run(rays, hits);
   }
   for (std::size_t i = 0; i < rays.size(); ++i) {
     hits[i] = nearest(rays[i].ray, rays[i].t_from, rays[i].t_to);
