@@ -97,7 +97,7 @@ void copy_all(const T* from, std::size_t n, T* to) {
   std::copy_n(from, n, to);
 }
 inline void copy_all(const Pack* from, std::size_t n, Pack* to) {
-  simd::best_tape_lanes->copy(from, n, to);
+  simd::best_tape_lanes->copy(from->v.data(), n, to);
 }
 template <class T>
 void spread_all(const double* from, std::size_t n, T* to) {
@@ -279,12 +279,16 @@ Evaluator<T>::~Evaluator() {
   frames(w_, T()).pop_to(mark_);
 }
 template <class T>
-T Evaluator<T>::operator()(std::span<const T> arguments) {
+const T& Evaluator<T>::in_place(std::span<const T> arguments) {
   assert(arguments.size() == f_.parameters);
   copy_all(arguments.data(), arguments.size(), frame_);
   Machine<T>(f_, frame_, w_).run();
+  return frame_[f_.results[0]];
+}
+template <class T>
+T Evaluator<T>::operator()(std::span<const T> arguments) {
   T result;
-  copy_all(frame_ + f_.results[0], 1, &result);
+  copy_all(&in_place(arguments), 1, &result);
   return result;
 }
 template <class T>

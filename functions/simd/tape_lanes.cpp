@@ -104,10 +104,10 @@ class Runner {
 };
 
 template <class V>
-DURER_INLINE void copy_packs(const Pack* from, std::size_t n, Pack* to) {
+DURER_INLINE void copy_numbers(const double* from, std::size_t n, Pack* to) {
   for (std::size_t i = 0; i < n; ++i) {
-    for (int k = 0; k < Pack::lanes; k += Lanes<V>::count) {
-      Lanes<V>::load(from[i].v.data() + k).store(to[i].v.data() + k);
+    for (int k = 0; k < Pack::lanes; k += Lanes<V>::count, from += Lanes<V>::count) {
+      Lanes<V>::load(from).store(to[i].v.data() + k);
     }
   }
 }
@@ -127,7 +127,9 @@ DURER_INLINE void spread_numbers(const double* from, std::size_t n, Pack* to) {
                            std::uint32_t end) {                                                \
     return Runner<V>(f, registers).run(f.code.data(), pc, end);                                \
   }                                                                                            \
-  target void copy(const Pack* from, std::size_t n, Pack* to) { copy_packs<V>(from, n, to); }  \
+  target void copy(const double* from, std::size_t n, Pack* to) {                              \
+    copy_numbers<V>(from, n, to);                                                              \
+  }                                                                                            \
   target void spread(const double* from, std::size_t n, Pack* to) {                            \
     spread_numbers<V>(from, n, to);                                                            \
   }                                                                                            \

@@ -14,8 +14,8 @@ struct TapeLanes {
   /// Executes instructions `pc` … `end` - 1 up to the first that only the general interpreter can
   /// do, and returns the place of that one, or `end`.
   std::uint32_t (*run)(const Function& f, Pack* registers, std::uint32_t pc, std::uint32_t end);
-  /// to[i] = from[i] for i < n.
-  void (*copy)(const Pack* from, std::size_t n, Pack* to);
+  /// Fills n packs with the numbers from `from` on.
+  void (*copy)(const double* from, std::size_t n, Pack* to);
   /// All lanes of to[i] = from[i] for i < n.
   void (*spread)(const double* from, std::size_t n, Pack* to);
 };
