@@ -9,4 +9,8 @@ namespace durer::functions {
 /// (bit i: parameter i). A tape with branches or loops is kept as a whole.
 [[nodiscard]] Function depending_on(const Function& f, unsigned changed);
 
+/// The same on registers further behind: what `part` computes, and the parameters in `changed`, move
+/// by `distance`, at least the number of its registers; everything else is read where it was.
+[[nodiscard]] Function moved(Function part, unsigned changed, Register distance);
+
 }  // namespace durer::functions
