@@ -42,14 +42,17 @@ SceneBuilder mixed_scene() {
   b.show(inverted);
   scene::Object clipped = gyroid(5, 0.3, 0.8);
   clipped.extras.edit().clips = {b.add(primitive("plane", {0.6, 0, 0.8, 0.7}))};
-  clipped.transform = Transform::translate({0.4, 0.4, 0.9});
+  clipped.transform = Transform::translate({0.43, 0.41, 0.9});
   b.show(clipped);
   scene::Object hidden = gyroid(5, 0.3, 0.5);
   hidden.no_image = true;
   hidden.transform = Transform::translate({0, 0, -1.2});
   b.show(hidden);
   scene::Object bounded = gyroid(3, 0, 0.6);
-  bounded.extras.edit().bounds = {b.add(primitive("sphere", {-1.3, 0.2, 0.6, 0.5}))};
+  // Right, but not so easily known to be.
+  bounded.extras.edit().bounds = {
+      b.csg(scene::NodeKind::merge, {b.add(primitive("sphere", {-1.3, 0.2, 0.6, 1.1})),
+                                     b.add(primitive("sphere", {-1.3, 1.2, 0.6, 0.3}))})};
   bounded.transform = Transform::translate({-1.3, 0.2, 0.6});
   b.show(bounded);
   return b;
@@ -113,6 +116,7 @@ TEST_CASE("together: rays side by side meet what each meets alone", "[tracer][to
       const MeetingRay& m = meeting[i];
       Hit alone;
       REQUIRE(geometry.closest(rays[i], m.t_from, m.t_to, kind, alone, *scratch) == m.met);
+      CAPTURE(m.hit.t - alone.t, m.hit.leaf, alone.leaf);
       if (m.met) REQUIRE(same(m.hit, alone));
       REQUIRE(geometry.occluded(rays[i], m.t_from, m.t_to, *scratch) == shadow[i].blocked);
       hits += m.met ? 1 : 0;
