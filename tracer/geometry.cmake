@@ -5,6 +5,7 @@ add_library(durer_geometry STATIC
   flatten.cpp
   geometry.cpp
   geometry_build.cpp
+  geometry_together.cpp
   object_queries.cpp
   placements.cpp
   sharing.cpp

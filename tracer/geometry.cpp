@@ -10,26 +10,17 @@
 namespace durer::tracer {
 namespace {
 
-std::uint8_t mask_of(RayKind kind) {
-  switch (kind) {
-    case RayKind::image: return seen_by_image;
-    case RayKind::transmission: return seen_by_transmission;
-    case RayKind::reflection: return seen_by_reflection;
-    case RayKind::shadow: return casts_shadow;
-    case RayKind::gathering: return seen_by_gathering;
-  }
-  return 0;
-}
-
 std::size_t error_count(const Diagnostics& diagnostics) {
   return static_cast<std::size_t>(
       std::count_if(diagnostics.all().begin(), diagnostics.all().end(),
                     [](const Diagnostic& d) { return d.severity == Severity::error; }));
 }
 
-/// Fills in what a hit in shared contents knows of the spaces around them.
-void resolve_path(const std::vector<Placement>& placements, const PlacementPath& inner_first,
-                  Hit& hit) {
+}  // namespace
+
+void DeleteGeometryScratch::operator()(GeometryScratch* s) const { delete s; }
+
+void Geometry::State::resolve_path(const PlacementPath& inner_first, Hit& hit) const {
   dvec3 p = hit.p;
   for (std::uint32_t k = 0; k < hit.depth; ++k) {
     hit.path[k] = inner_first[hit.depth - 1 - k];
@@ -44,14 +35,6 @@ void resolve_path(const std::vector<Placement>& placements, const PlacementPath&
   }
   hit.n = glm::normalize(n);
 }
-
-}  // namespace
-
-struct GeometryScratch {
-  SweepState sweep;
-  std::vector<std::uint32_t> bodies;
-};
-void DeleteGeometryScratch::operator()(GeometryScratch* s) const { delete s; }
 
 Geometry::Geometry(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Geometry::Geometry(Geometry&&) noexcept = default;
@@ -109,31 +92,24 @@ void Geometry::for_surfaces(const std::function<void(const Leaf&, const Bounds3&
 
 void Geometry::set_opaque(std::vector<bool> by_surface) { state_->set_opaque(by_surface); }
 bool Geometry::has_translucent_shadows() const { return state_->translucent_shadows; }
+bool Geometry::answers_together() const { return state_->answers_together; }
 
 GeometryScratchPtr Geometry::make_scratch() const {
-  return GeometryScratchPtr(new GeometryScratch{state_->parts.make_state(), {}});
+  return GeometryScratchPtr(new GeometryScratch(state_->parts));
 }
 
 bool Geometry::closest(const Ray& ray, double t_from, double t_to, RayKind kind, Hit& hit,
                        GeometryScratch& scratch) const {
-  RayQuery query{ray, t_from, t_to, &state_->parts, &scratch.sweep, {}, {}, mask_of(kind), false};
+  RayQuery query = state_->query(ray, t_from, t_to, kind, scratch);
   state_->accel->closest(query);
-  const Found& found = query.found;
-  if (found.store == nullptr) return false;
-  hit.t = query.t_to;
-  hit.leaf = found.leaf;
-  hit.store = found.store;
-  hit.shape = found.shape;
-  hit.part = found.part;
-  hit.p = ray.at(hit.t);
-  hit.interior = state_->leaves[found.leaf].inner_interior;
-  hit.depth = found.depth;
+  if (query.found.store == nullptr) return false;
+  state_->fill_in(query, hit);
   if (hit.depth > 0) {
-    resolve_path(state_->placements, query.path, hit);
+    state_->resolve_path(query.path, hit);
   } else {
-    hit.n = found.store->normal(found.shape, hit.p, found.part);
+    hit.n = hit.store->normal(hit.shape, hit.p, hit.part);
   }
-  if (state_->leaf_inverted[found.leaf] != 0) hit.n = -hit.n;
+  state_->orient(hit);
   return true;
 }
 
@@ -152,8 +128,7 @@ TextureBlend Geometry::cutaway_textures(const Hit& hit, bool from_inside) const 
 
 bool Geometry::occluded(const Ray& ray, double t_from, double t_to,
                         GeometryScratch& scratch) const {
-  const double after = t_from * (1 + std::numeric_limits<double>::epsilon());
-  RayQuery query{ray, after, t_to, &state_->parts, &scratch.sweep, {}, {}, blocks_light, true};
+  RayQuery query = state_->shadow_query(ray, t_from, t_to, scratch);
   return state_->accel->any(query);
 }
 
@@ -183,8 +158,7 @@ Geometry::Way Geometry::way_between(std::span<Caster> among, const Ray& ray, dou
     if (!opaque) return Way::unknown;
     near[count++] = &c;
   }
-  const double after = t_from * (1 + std::numeric_limits<double>::epsilon());
-  RayQuery query{ray, after, t_to, &state_->parts, &scratch.sweep, {}, {}, blocks_light, true};
+  RayQuery query = state_->shadow_query(ray, t_from, t_to, scratch);
   for (std::size_t i = 0; i < count; ++i) {
     near[i]->targets->nearest(*near[i]->targets, near[i]->index, query);
     if (query.found.store != nullptr) return Way::blocked;
@@ -194,11 +168,10 @@ Geometry::Way Geometry::way_between(std::span<Caster> among, const Ray& ray, dou
 
 bool Geometry::occluded_by(std::span<Caster> among, const Ray& ray, double t_from, double t_to,
                            GeometryScratch& scratch) const {
-  const double after = t_from * (1 + std::numeric_limits<double>::epsilon());
-  RayQuery query{ray, after, t_to, &state_->parts, &scratch.sweep, {}, {}, blocks_light, true};
+  RayQuery query = state_->shadow_query(ray, t_from, t_to, scratch);
   const dvec3 inverse = 1.0 / ray.d;
   for (Caster& c : among) {
-    double enter = after;
+    double enter = query.t_from;
     double leave = t_to;
     if (!BoxTree::clip(c.box, ray.o, inverse, enter, leave)) continue;
     c.targets->nearest(*c.targets, c.index, query);

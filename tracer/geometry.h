@@ -96,6 +96,22 @@ enum class RayKind : std::uint8_t {
   gathering,  // rays that gather indirect light, and all that follow from them
 };
 
+/// A ray that asks what it meets in t_from <= t < t_to, and the answer: `hit`, if `met`.
+struct MeetingRay {
+  const Ray* ray = nullptr;  // |d| = 1
+  double t_from = 0;
+  double t_to = 0;
+  bool met = false;
+  Hit hit{};
+};
+/// A ray that asks if an opaque, shadow-casting surface lies in t_from < t < t_to, and the answer.
+struct ShadowRay {
+  Ray ray;
+  double t_from = 0;
+  double t_to = 0;
+  bool blocked = false;
+};
+
 /// Buffers of one thread; geometry queries allocate nothing once these have grown.
 struct GeometryScratch;
 struct DeleteGeometryScratch {
@@ -159,6 +175,12 @@ class Geometry {
   bool closest(const Ray& ray, double t_from, double t_to, RayKind kind, Hit& hit,
                GeometryScratch& scratch) const;
 
+  /// True if some objects answer several rays faster together than one by one.
+  [[nodiscard]] bool answers_together() const;
+  /// The same for up to most_in_packet rays, neighbours if possible; the same hits, bit for bit, as
+  /// far as surfaces do not coincide.
+  void closest(std::span<MeetingRay> rays, RayKind kind, GeometryScratch& scratch) const;
+
   /// Surface coordinates at a hit (objects §14).
   [[nodiscard]] static dvec2 uv(const Hit& hit);
   /// Which of the surface's part_textures are seen at a hit.
@@ -169,6 +191,8 @@ class Geometry {
 
   /// True if an opaque, shadow-casting surface lies in t_from < t < t_to.
   bool occluded(const Ray& ray, double t_from, double t_to, GeometryScratch& scratch) const;
+
+  void occluded(std::span<ShadowRay> rays, GeometryScratch& scratch) const;
 
   /// What may cast shadows into a shaft; false, with some of them, if they are too many to ask one by
   /// one.

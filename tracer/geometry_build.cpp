@@ -49,6 +49,9 @@ Geometry::State::State(Flat flat, Hierarchy hierarchy) {
   flat = {};  // makes room for the hierarchies
   for (std::size_t i = 0; i < groups.size(); ++i) finish_group(*groups[i], contents[i], hierarchy);
   accel = world().accel.get();
+  for (const Targets* targets : world().targets()) {
+    if (targets->size() > 0 && targets->nearest_together != nullptr) answers_together = true;
+  }
   update_masks();
 }
 

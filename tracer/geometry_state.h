@@ -4,6 +4,7 @@
 #include <atomic>
 #include <mutex>
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "tracer/accel/box_tree.h"
 #include "tracer/csg/cutaway.h"
 #include "tracer/csg/solid_targets.h"
+#include "tracer/csg/sweep.h"
 #include "tracer/flatten.h"
 #include "tracer/geometry.h"
 #include "tracer/placements.h"
@@ -59,6 +61,28 @@ struct Group {
   [[nodiscard]] std::vector<const Targets*> targets() const;
 };
 
+/// What a kind of ray may see, as Visibility.
+[[nodiscard]] inline std::uint8_t mask_of(RayKind kind) {
+  switch (kind) {
+    case RayKind::image: return seen_by_image;
+    case RayKind::transmission: return seen_by_transmission;
+    case RayKind::reflection: return seen_by_reflection;
+    case RayKind::shadow: return casts_shadow;
+    case RayKind::gathering: return seen_by_gathering;
+  }
+  return 0;
+}
+
+struct GeometryScratch {
+  explicit GeometryScratch(const Parts& parts) : sweep(parts.make_state()) {}
+
+  SweepState sweep;
+  std::vector<std::uint32_t> bodies;
+  // Of rays that go side by side.
+  Packet<RayQuery> queries;
+  std::array<PutOff, most_in_packet> lists;
+};
+
 struct Geometry::State {
   std::vector<Leaf> leaves;
   std::vector<std::uint8_t> leaf_inverted;  // normals are negated
@@ -80,6 +104,7 @@ struct Geometry::State {
   mutable std::once_flag casters_found;
   mutable CasterIndex casters;  // of the world
   bool translucent_shadows = true;
+  bool answers_together = false;  // some object of the world answers several rays together
 
   State(Flat flat, Hierarchy hierarchy);
   [[nodiscard]] const Group& world() const { return *groups.back(); }
@@ -89,6 +114,38 @@ struct Geometry::State {
   /// Made when somebody asks for it. Thread-safe.
   [[nodiscard]] const CasterIndex& caster_index() const;
   void set_opaque(const std::vector<bool>& by_surface);
+
+  [[nodiscard]] RayQuery query(const Ray& ray, double t_from, double t_to, RayKind kind,
+                               GeometryScratch& scratch) const {
+    return {ray, t_from, t_to, &parts, &scratch.sweep, nullptr, {}, {}, mask_of(kind), false};
+  }
+  /// Of what stops light behind t_from.
+  [[nodiscard]] RayQuery shadow_query(const Ray& ray, double t_from, double t_to,
+                                      GeometryScratch& scratch) const {
+    const double after = t_from * (1 + std::numeric_limits<double>::epsilon());
+    return {ray, after, t_to, &parts, &scratch.sweep, nullptr, {}, {}, blocks_light, true};
+  }
+  /// All of a hit but its normal and, in shared contents, the way down.
+  void fill_in(const RayQuery& query, Hit& hit) const {
+    const Found& found = query.found;
+    hit.t = query.t_to;
+    hit.leaf = found.leaf;
+    hit.store = found.store;
+    hit.shape = found.shape;
+    hit.part = found.part;
+    hit.p = query.ray.at(hit.t);
+    hit.interior = leaves[found.leaf].inner_interior;
+    hit.depth = found.depth;
+  }
+  /// Fills in what a hit in shared contents knows of the spaces around them, and its normal.
+  void resolve_path(const PlacementPath& inner_first, Hit& hit) const;
+  /// From the normal of the primitive to that of the object.
+  void orient(Hit& hit) const {
+    if (leaf_inverted[hit.leaf] != 0) hit.n = -hit.n;
+  }
+  /// The normals of hits in the world itself (geometry_together.cpp).
+  void add_normals(std::span<MeetingRay> rays) const;
+  void add_normals_of_shape(std::span<Hit* const> hits) const;
   template <typename F>
   void each_store(F&& f) const {
     const auto each = [&f](const std::vector<TypeStores>& all) {

@@ -43,6 +43,7 @@ void PlacementTargets::nearest_of(const Targets& targets, std::uint32_t index, R
                  query.t_to * scale,
                  query.parts,
                  query.sweep,
+                 nullptr,
                  {},
                  {},
                  query.mask,

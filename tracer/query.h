@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "base/ray.h"
+#include "tracer/primitives/packet.h"
 #include "tracer/primitives/store.h"
 
 namespace durer::tracer {
@@ -27,6 +28,18 @@ struct Found {
   std::uint32_t depth = 0;  // entries of the query's path
 };
 
+/// Objects that a ray came by and that wait for other rays, to be asked once for all of them.
+struct PutOff {
+  struct Object {
+    const Targets* targets;
+    std::uint32_t index;
+  };
+  /// What a ray passes more of is asked on its way, lest it asks everybody behind what it hits.
+  static constexpr std::uint32_t most = 4;
+  std::array<Object, most> objects;  // in the order in which the ray came by
+  std::uint32_t count = 0;
+};
+
 /// Looks for t_from <= t < t_to; t_to shrinks to the nearest hit. World space, double: the
 /// hierarchy's own single-precision ray only chooses whom to ask.
 struct RayQuery {
@@ -35,6 +48,7 @@ struct RayQuery {
   double t_to = 0;
   const Parts* parts = nullptr;
   SweepState* sweep = nullptr;
+  PutOff* later = nullptr;  // null: everybody answers at once
   Found found{};
   PlacementPath path{};  // valid as far as `found` says
   // Bytes stand last: where they are between larger things, these are cleared in pieces that overlap
@@ -46,5 +60,8 @@ struct RayQuery {
 /// True if these bounds (Parts::gates), or those of a gated leaf, let the ray through (csg/gate.cpp).
 [[nodiscard]] bool gate_open(std::uint32_t gate, const RayQuery& query);
 [[nodiscard]] bool gates_open(std::uint32_t leaf, const RayQuery& query);
+
+/// Asks those on a query's list one by one, after which it has none (geometry_together.cpp).
+void ask_now(RayQuery& query);
 
 }  // namespace durer::tracer

@@ -89,7 +89,7 @@ class Subject {
   }
   [[nodiscard]] RayQuery nearest(const Ray& ray, double t_from, double t_to) const {
     ref_->store->tags[ref_->shape] = {0, seen_by_image, false};
-    RayQuery query{ray, t_from, t_to, nullptr, nullptr, {}, {}, seen_by_image, false};
+    RayQuery query{ray, t_from, t_to, nullptr, nullptr, nullptr, {}, {}, seen_by_image, false};
     store().nearest(store(), ref_->shape, query);
     return query;
   }

@@ -17,7 +17,7 @@ namespace durer::tracer {
 /// One search, for the first visible crossings.
 class FieldPacket {
  public:
-  static constexpr std::size_t size = packet_size;
+  static constexpr std::size_t size = most_in_packet;
 
   /// A field with bounds, in the container of `surface`. `least`: as for FieldSearch. `any`: it is
   /// enough to know that there is a crossing, and about where.

@@ -42,14 +42,52 @@ bool IsosurfaceShape::contains(dvec3 p) const {
   return functions::evaluate(*data_->field.function(), std::array{p.x, p.y, p.z}, w) <= s.threshold;
 }
 
+namespace {
+
+/// A normal by differences; where there are none, along x.
+dvec3 upward(const dvec3& n) {
+  return n == dvec3(0.0) || !(glm::dot(n, n) > 0) ? dvec3(1, 0, 0) : n;
+}
+
+}  // namespace
+
 /// The oracle's: differences over a step as long as the accuracy, which a coarse accuracy smooths.
 dvec3 IsosurfaceShape::normal(dvec3 p, std::uint32_t part) const {
   const scene::Isosurface& s = *data_->surface;
   if (part != 0) return face_normal(s.container, p, part);
   functions::Workspace& w = function_workspace(data_->field.generator());
   const auto [here, x, y, z] = data_->differences(p, s.accuracy, w);
-  const dvec3 n(x - here, y - here, z - here);
-  return n == dvec3(0.0) || !(glm::dot(n, n) > 0) ? dvec3(1, 0, 0) : n;
+  return upward(dvec3(x, y, z) - here);
+}
+
+void IsosurfaceShape::normals(std::span<const dvec3> points, std::span<const std::uint32_t> parts,
+                              dvec3* out) const {
+  using functions::Pack;
+  const scene::Isosurface& s = *data_->surface;
+  // Those of the surface itself, eight at a time; the last ones repeat one.
+  std::array<std::size_t, most_in_packet> places;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (parts[i] == 0) {
+      places[count++] = i;
+    } else {
+      out[i] = face_normal(s.container, points[i], parts[i]);
+    }
+  }
+  functions::Workspace& w = function_workspace(data_->field.generator());
+  for (std::size_t first = 0; first < count; first += Pack::lanes) {
+    const std::size_t last = std::min(count, first + Pack::lanes) - 1;
+    std::array<Pack, 3> p;
+    for (std::size_t lane = 0; lane < Pack::lanes; ++lane) {
+      const dvec3& point = points[places[std::min(first + lane, last)]];
+      for (std::size_t k = 0; k < 3; ++k) p[k].v[lane] = point[static_cast<int>(k)];
+    }
+    const auto [here, x, y, z] = data_->differences(p, s.accuracy, w);
+    for (std::size_t i = first; i <= last; ++i) {
+      const std::size_t lane = i - first;
+      out[places[i]] = upward(dvec3(x.v[lane], y.v[lane], z.v[lane]) - here.v[lane]);
+    }
+  }
 }
 
 /// As the oracle judges: by ratio and difference of what was set and what was found (objects
@@ -129,6 +167,18 @@ std::optional<Nearest> IsosurfaceShape::nearest(const Ray& ray, double t_from, d
     return true;
   });
   return hit;
+}
+
+void IsosurfaceShape::nearest(std::span<const PacketRay> rays,
+                              std::span<std::optional<Nearest>> hits) const {
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    hits[i] = nearest(rays[i].ray, rays[i].t_from, rays[i].t_to);
+  }
+}
+
+void IsosurfaceShape::normals(std::span<const dvec3> points, std::span<const std::uint32_t> parts,
+                              dvec3* out) const {
+  for (std::size_t i = 0; i < points.size(); ++i) out[i] = normal(points[i], parts[i]);
 }
 
 }  // namespace durer::tracer

@@ -40,6 +40,7 @@ class IsosurfaceShape {
   [[nodiscard]] std::optional<Nearest> nearest(const Ray& ray, double t_from, double t_to) const;
   void nearest(std::span<const PacketRay> rays, std::span<std::optional<Nearest>> hits,
                bool any) const;
+  void normals(std::span<const dvec3> points, std::span<const std::uint32_t> parts, dvec3* out) const;
   [[nodiscard]] std::pair<std::string, std::string> doubt() const;
 
  private:

@@ -50,6 +50,9 @@ class Targets {
 
   /// Lowers `query.t_to` and fills `query.found` if object `index` has a visible hit in range.
   using NearestFunction = void (*)(const Targets& targets, std::uint32_t index, RayQuery& query);
+  /// The same for at most most_in_packet queries, which see the object at once.
+  using NearestTogether = void (*)(const Targets& targets, std::uint32_t index,
+                                   std::span<RayQuery* const> queries);
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(tags.size()); }
   /// World box of the surface that can be seen.
@@ -62,6 +65,9 @@ class Targets {
   }
 
   NearestFunction nearest = nullptr;
+  /// Null: these objects answer one ray at a time. Others do not answer a query that has a list
+  /// (RayQuery::later), but put themselves on it.
+  NearestTogether nearest_together = nullptr;
   std::vector<Tag> tags;
 };
 
@@ -91,6 +97,9 @@ class Store : public Targets {
   [[nodiscard]] virtual bool contains(std::uint32_t index, dvec3 p) const = 0;
   /// World unit normal at the world point `p`, outward (of the primitive before any inversion).
   [[nodiscard]] virtual dvec3 normal(std::uint32_t index, dvec3 p, std::uint32_t part) const = 0;
+  /// The same at up to most_in_packet points of one shape.
+  virtual void normals(std::uint32_t index, std::span<const dvec3> points,
+                       std::span<const std::uint32_t> parts, dvec3* out) const = 0;
   /// Where the world point `p` lies on the surface. Objects without such coordinates use the world's
   /// x and y (objects §14).
   [[nodiscard]] virtual dvec2 uv(std::uint32_t index, dvec3 p, std::uint32_t part) const = 0;

@@ -12,6 +12,12 @@
 //   Shape flipped() const;                                the inverse, if it is such a shape too
 //   … nearest_of_unit(same as nearest) const;             faster where |d| = 1
 //   … any(same as nearest) const;                         some hit in the range, if that is faster
+//   void nearest(std::span<const PacketRay>, std::span<std::optional<Nearest>> hits, bool any) const;
+//                                                         the same for up to most_in_packet rays, if
+//                                                         that is faster: see Targets::nearest_together;
+//                                                         `any`: some hit in the range will do
+//   void normals(std::span<const dvec3> points, std::span<const std::uint32_t> parts,
+//                dvec3* out) const;                       as normal(), for as many points
 //   dvec2 uv(dvec3 p, std::uint32_t part) const;          surface coordinates (objects §14)
 //   static constexpr bool uv_turns = true;                they need a space that turns with it
 //   TextureBlend textures(dvec3 p, std::uint32_t part) const;   looks of single parts
@@ -23,14 +29,18 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <concepts>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <memory>
+#include <new>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "base/transform.h"
+#include "functions/simd/inline.h"
 #include "tracer/primitives/store.h"
 #include "tracer/query.h"
 
@@ -64,6 +74,13 @@ concept Shape = requires(const S& s, dvec3 p, const Ray& ray, Crossings& out) {
   { s.normal(p, 0U) } -> std::same_as<dvec3>;
   { s.crossings(ray, out) } -> std::same_as<void>;
   { s.nearest(ray, 0.0, 0.0) } -> std::same_as<std::optional<Nearest>>;
+};
+
+/// A shape that answers several rays together.
+template <typename S>
+concept PacketShape = Shape<S> && requires(const S& s, std::span<const PacketRay> rays,
+                                           std::span<std::optional<Nearest>> hits) {
+  s.nearest(rays, hits, false);
 };
 
 /// A shape whose space is the world.
@@ -141,7 +158,10 @@ class TypedStore final : public Store {
  public:
   using Item = Placement<S>;
 
-  TypedStore() { nearest = &nearest_of; }
+  TypedStore() {
+    nearest = &nearest_of;
+    if constexpr (PacketShape<S>) nearest_together = &nearest_together_of;
+  }
 
   std::uint32_t add(Item item) {
     items_.push_back(std::move(item));
@@ -174,6 +194,20 @@ class TypedStore final : public Store {
     const Item& item = items_[index];
     if constexpr (requires { item.unit_normal(); }) return item.unit_normal();
     return glm::normalize(item.normal_to_world(item.shape.normal(item.to_object(p), part)));
+  }
+  void normals(std::uint32_t index, std::span<const dvec3> points,
+               std::span<const std::uint32_t> parts, dvec3* out) const override {
+    const Item& item = items_[index];
+    if constexpr (requires { item.shape.normals(points, parts, out); }) {
+      std::array<dvec3, most_in_packet> local;
+      for (std::size_t i = 0; i < points.size(); ++i) local[i] = item.to_object(points[i]);
+      item.shape.normals(std::span<const dvec3>(local).first(points.size()), parts, out);
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        out[i] = glm::normalize(item.normal_to_world(out[i]));
+      }
+    } else {
+      for (std::size_t i = 0; i < points.size(); ++i) out[i] = normal(index, points[i], parts[i]);
+    }
   }
   [[nodiscard]] dvec2 uv(std::uint32_t index, dvec3 p, std::uint32_t part) const override {
     if constexpr (requires(const S& s) { s.uv(p, part); }) {
@@ -222,16 +256,55 @@ class TypedStore final : public Store {
  private:
   static void nearest_of(const Targets& targets, std::uint32_t index, RayQuery& query) {
     const auto& self = static_cast<const TypedStore&>(targets);
+    if constexpr (PacketShape<S>) {
+      if (query.later != nullptr && put_off(self, index, query)) return;
+    }
+    const std::optional<Nearest> hit = ask(self.items_[index], query, seen_to(query));
+    if (hit) take(self, index, *hit, query);
+  }
+
+  static void nearest_together_of(const Targets& targets, std::uint32_t index,
+                                  std::span<RayQuery* const> queries) {
+    const auto& self = static_cast<const TypedStore&>(targets);
     const Item& item = self.items_[index];
-    double t_to = query.t_to;
-    if constexpr (requires { S::far; }) t_to = t_to < S::far ? t_to : S::far;
-    const std::optional<Nearest> hit = ask(item, query, t_to);
-    if (!hit) return;
+    Packet<PacketRay> rays;
+    Packet<std::optional<Nearest>> hits;
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      const RayQuery& query = *queries[i];
+      ::new (&rays[i]) PacketRay{item.to_object(query.ray), query.t_from, seen_to(query)};
+      ::new (&hits[i]) std::optional<Nearest>();
+    }
+    item.shape.nearest(rays.first(queries.size()), hits.first(queries.size()),
+                       queries.front()->any);
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      if (hits[i]) take(self, index, *hits[i], *queries[i]);
+    }
+  }
+
+  /// True if the query need not be answered now.
+  static bool put_off(const TypedStore& self, std::uint32_t index, RayQuery& query) {
+    if ((self.tags[index].mask & query.mask) == 0) return true;
+    PutOff& list = *query.later;
+    if (list.count == PutOff::most) {
+      ask_now(query);
+      return query.any && query.found.store != nullptr;
+    }
+    list.objects[list.count++] = {&self, index};
+    return true;
+  }
+
+  static double seen_to(const RayQuery& query) {
+    if constexpr (requires { S::far; }) return query.t_to < S::far ? query.t_to : S::far;
+    return query.t_to;
+  }
+
+  DURER_INLINE static void take(const TypedStore& self, std::uint32_t index, const Nearest& hit,
+                                RayQuery& query) {
     const Tag& tag = self.tags[index];
     if ((tag.mask & query.mask) == 0) return;
-    if (tag.gated) return take_if_open(self, index, *hit, query);
-    query.t_to = hit->t;
-    query.found = {&self, index, tag.leaf, hit->part};
+    if (tag.gated) return take_if_open(self, index, hit, query);
+    query.t_to = hit.t;
+    query.found = {&self, index, tag.leaf, hit.part};
   }
   /// A function of its own, for what it keeps over the call would be saved by every object.
   [[gnu::noinline]] static void take_if_open(const TypedStore& self, std::uint32_t index,

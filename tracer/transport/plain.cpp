@@ -1,14 +1,13 @@
 // The short way for most surfaces: one opaque layer that glows and is lit by lamps, and neither
 // mirrors nor spreads light below (TextureProgram::plain). Same terms in the same order as
 // sum_layers(), with all that is 0 or 1 there left out.
-#include "tracer/transport/lamps.h"
 #include "tracer/transport/layers.h"
+#include "tracer/transport/plain.h"
 
 namespace durer::tracer {
 
 void Tracer::plain_light(const View& view, const Containment& inside, vec3& light) {
-  const TextureStore& textures = scene_->textures;
-  const Finish& finish = textures.finish(textures.layer(view.texture->first_layer));
+  const Finish& finish = finish_of_plain(view);
   dvec3 n;
   Colour colour;
   const LayerLook own = view.known.empty() ? look_alone(view, n, colour) : view.known.front();
@@ -17,26 +16,12 @@ void Tracer::plain_light(const View& view, const Containment& inside, vec3& ligh
   vec3 lit(0.0F);
   if (finish.lit) {
     for (const std::uint32_t i : lamp_sets_[view.lamps]) {
-      if (!scene_->reaches[i].contains(view.p)) continue;
-      const Light& lamp = scene_->lights[i];
-      const Incidence in = incidence(lamp, view.p);
-      const bool spread = spreads(lamp, view);
-      if (dark(spread ? lamp.colour : in.colour)) continue;
-      const bool hidden = is_behind(view, layer, in.l);
-      if (hidden && !spread && finish.diffuse_back == 0) continue;
-      if (spread) {
-        lit += light_of_area(view, inside, layer, lamp, in);
-        continue;
-      }
-      const vec3 arrived = arriving(view, inside, lamp, in);
-      if (dark(arrived)) continue;
-      lit += shade_from(view, layer, in.l, arrived, {hidden, !lamp.shadowless, true});
+      if_lit(i, view, layer, [&](const Light& lamp, const Incidence& in, bool hidden) DURER_LAMBDA_INLINE {
+        add_light(view, inside, layer, lamp, in, hidden, lit);
+      });
     }
   }
-  const vec3 glow = layer.pigment * finish.glow_pigment;
-  light.x = glow.x + lit.x;
-  light.y = glow.y + lit.y;
-  light.z = glow.z + lit.z;
+  add_glow(layer, lit, light);
 }
 
 Tracer::LayerLook Tracer::look_alone(const View& view, dvec3& n, Colour& colour) const {

@@ -19,11 +19,12 @@ void Tracer::trace(std::span<Sample> samples) {
     }
     return;
   }
+  const bool met = packets_ && meet(samples);
   std::array<FoundSurface*, most_together> waiting;
   std::size_t count = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     FoundSurface& found = scratch_->found[i];
-    found.waits = find(samples[i], found);
+    found.waits = met ? find_met(samples[i], scratch_->meeting[i], found) : find(samples[i], found);
     if (found.waits) waiting[count++] = &found;
   }
   for (std::size_t first = 0; first < count;) {
@@ -33,6 +34,7 @@ void Tracer::trace(std::span<Sample> samples) {
     if (end - first > 1) look_up({&waiting[first], end - first}, first);
     first = end;
   }
+  if (met && opaque_shadows_ && !in_air_) light_together(samples);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!scratch_->found[i].waits) continue;
     Sample& sample = samples[i];
@@ -55,18 +57,27 @@ void Tracer::trace(std::span<Sample> samples) {
   }
 }
 
-/// The surface that a ray meets, if it waits to be lit; else what the ray sees is known.
-bool Tracer::find(Sample& sample, FoundSurface& found) {
-  Path& path = sample.path;
-  const Limits& limit = limits(path);
-  if (path.level >= limit.max_level || path.weight < limit.adc) {
-    sample.seen = {};
-    return false;
+/// What the rays meet, found for all of them together in Scratch::meeting; false if they do not see
+/// the same things, or some are not worth following.
+bool Tracer::meet(std::span<Sample> samples) {
+  const RayKind kind = samples.front().path.kind();
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Path& path = samples[i].path;
+    if (path.kind() != kind || !is_worth_following(path)) return false;
+    MeetingRay& ray = scratch_->meeting[i];
+    ray.ray = &path.ray;
+    ray.t_from = t_min;
+    ray.t_to = path.reach;
   }
-  Hit hit;
-  ++scratch_->rays;
-  const bool met = scene_->geometry.closest(path.ray, t_min, path.reach, path.kind(), hit,
-                                            *scratch_->geometry);
+  scratch_->rays += samples.size();
+  scene_->geometry.closest(std::span(scratch_->meeting).first(samples.size()), kind,
+                           *scratch_->geometry);
+  return true;
+}
+
+/// The surface that a ray meets, if it waits to be lit; else what the ray sees is known.
+DURER_INLINE bool Tracer::see(Sample& sample, bool met, const Hit& hit, FoundSurface& found) {
+  Path& path = sample.path;
   Along& along = *::new (&found.along) Along;
   if (in_air_) {
     scratch_->noise = sample.noise;
@@ -84,6 +95,22 @@ bool Tracer::find(Sample& sample, FoundSurface& found) {
   scratch_->noise = sample.noise;
   sample.seen = along.ends_with(mixed(look, hit, path));
   return false;
+}
+
+bool Tracer::find(Sample& sample, FoundSurface& found) {
+  const Path& path = sample.path;
+  if (!is_worth_following(path)) {
+    sample.seen = {};
+    return false;
+  }
+  Hit hit;
+  ++scratch_->rays;
+  const bool met = scene_->geometry.closest(path.ray, t_min, path.reach, path.kind(), hit,
+                                            *scratch_->geometry);
+  return see(sample, met, hit, found);
+}
+bool Tracer::find_met(Sample& sample, const MeetingRay& ray, FoundSurface& found) {
+  return see(sample, ray.met, ray.hit, found);
 }
 
 /// The layers of a texture at several points, as far as they show. `place`: what is kept of them in

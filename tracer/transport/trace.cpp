@@ -14,6 +14,9 @@ Scratch::Scratch(const CompiledScene& scene)
   for (const Geometry& g : scene.projectors) projectors.push_back(g.make_scratch());
   found.resize(Tracer::most_together);
   found_layers.resize(FoundSurface::most_layers);
+  if (!scene.geometry.answers_together()) return;
+  meeting.resize(Tracer::most_together);
+  shadow_rays.resize(Tracer::most_together);
 }
 Scratch::~Scratch() = default;
 
@@ -28,6 +31,7 @@ Tracer::Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha)
       air_(scene.quality.atmosphere && !scene.atmosphere.empty()),
       in_air_(air_ || !scene.media.empty()),
       together_(!scene.radiosity),
+      packets_(together_ && scene.geometry.answers_together()),
       plain_(scene.quality.lights && !scene.radiosity && scene.scene->settings.adc_bailout >= 0),
       opaque_shadows_(scene.quality.shadows && !translucent_shadows_ && !dims()),
       quality_(scene.quality) {
@@ -45,8 +49,7 @@ Tracer::Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha)
 // a level, so that a ray may pass any number of them. Afterwards `path` is where the light came from.
 Radiance Tracer::follow(Path& path, bool straight, Along& along) {
   for (;;) {
-    const Limits& limit = limits(path);
-    if (path.level >= limit.max_level || path.weight < limit.adc) return {along.sum, 0};
+    if (!is_worth_following(path)) return {along.sum, 0};
     Hit hit;
     ++scratch_->rays;
     const bool met =

@@ -157,6 +157,8 @@ struct Scratch {
   dvec3 left_normal{0.0};  // as patterns saw it last, in the part of a mixed texture shown last
   std::vector<FoundSurface> found;       // by rays that are followed side by side
   std::vector<FoundLayer> found_layers;
+  std::vector<MeetingRay> meeting;       // if some objects answer rays together
+  std::vector<ShadowRay> shadow_rays;    // likewise
 };
 
 /// Traces rays of one thread.
@@ -174,7 +176,7 @@ class Tracer {
 
   /// The same for up to `most_together` rays of the picture, neighbours if possible, side by side.
   /// Uses their paths up.
-  static constexpr std::size_t most_together = 16;
+  static constexpr std::size_t most_together = most_in_packet;
   void trace(std::span<Sample> samples);
 
  private:
@@ -291,7 +293,10 @@ class Tracer {
   void dress(View& view, const Look& look, const Hit& hit, std::uint32_t texture) const;
   [[nodiscard]] Radiance shown(const View& view, const Path& path);
   // together.cpp
+  [[nodiscard]] bool meet(std::span<Sample> samples);
   [[nodiscard]] bool find(Sample& sample, FoundSurface& found);
+  [[nodiscard]] bool find_met(Sample& sample, const MeetingRay& ray, FoundSurface& found);
+  [[nodiscard]] inline bool see(Sample& sample, bool met, const Hit& hit, FoundSurface& found);
   void look_up(std::span<FoundSurface* const> found, std::size_t place);
   void look_up_layer(const LayerProgram& layer, std::span<FoundSurface* const> found,
                      dvec3* normals, Colour* colours) const;
@@ -387,6 +392,16 @@ class Tracer {
   }
   [[nodiscard]] LayerLook look_alone(const View& view, dvec3& n, Colour& colour) const;
   void plain_light(const View& view, const Containment& inside, vec3& light);
+  [[nodiscard]] inline const Finish& finish_of_plain(const View& view) const;
+  template <typename Visit>
+  inline void if_lit(std::uint32_t number, const View& view, const LayerPoint& layer, const Visit& visit);
+  inline void add_light(const View& view, const Containment& inside, const LayerPoint& layer,
+                        const Light& lamp, const Incidence& in, bool hidden, vec3& lit);
+  inline static void add_glow(const LayerPoint& layer, const vec3& lit, vec3& light);
+  // plain_together.cpp
+  struct PlainPoint;
+  void light_together(std::span<Sample> samples);
+  void add_lamp(std::uint32_t number, std::span<PlainPoint> points);
   [[nodiscard]] vec3 light_of_area(const View& view, const Containment& inside,
                                    const LayerPoint& layer, const Light& light,
                                    const Incidence& centre);
@@ -471,6 +486,10 @@ class Tracer {
     float adc = 0;
   };
   [[nodiscard]] const Limits& limits(const Path& path) const { return limits_[path.bounce]; }
+  [[nodiscard]] bool is_worth_following(const Path& path) const {
+    const Limits& limit = limits(path);
+    return path.level < limit.max_level && !(path.weight < limit.adc);
+  }
 
   const CompiledScene* scene_;
   Scratch* scratch_;
@@ -483,7 +502,8 @@ class Tracer {
   bool air_;     // there is fog or the like …
   bool in_air_;  // … or there are media …
   bool gathers_air_ = false;  // … and rays that gather indirect light see it
-  bool together_;             // rays may be followed side by side
+  bool together_;             // rays may be followed side by side …
+  bool packets_;              // … and some objects answer them together
   bool plain_;           // plain textures may be lit the short way
   bool opaque_shadows_;  // any caster of shadows stops all light
   Quality quality_;

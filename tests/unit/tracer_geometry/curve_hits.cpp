@@ -182,7 +182,7 @@ TEST_CASE("curves: the nearest hit is the first crossing, and shadows fall where
         const double t_from = 0.02;
         const double t_to = uniform(random, 0.1, 6);
         const auto ask = [&](bool any) {
-          RayQuery query{ray, t_from, t_to, nullptr, nullptr, {}, {}, 0xFF, any};
+          RayQuery query{ray, t_from, t_to, nullptr, nullptr, nullptr, {}, {}, 0xFF, any};
           ref->store->nearest(*ref->store, ref->shape, query);
           return query;
         };

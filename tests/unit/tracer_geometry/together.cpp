@@ -1,0 +1,134 @@
+// Rays side by side against the same rays one by one.
+#include "functions/builder.h"
+#include "tests/unit/tracer_geometry/scenes.h"
+
+namespace durer::tracer::test {
+namespace {
+
+/// sin x cos y + sin y cos z + sin z cos x - threshold, with coordinates times k, in a box.
+scene::Object gyroid(double k, double threshold, double half) {
+  using functions::Op;
+  functions::FunctionBuilder b(3);
+  const auto wave = [&](Op op, int i) {
+    return b.op(op, b.op(Op::multiply, b.parameter(i), b.constant(k)));
+  };
+  const auto term = [&](int i, int j) {
+    return b.op(Op::multiply, wave(Op::sine, i), wave(Op::cosine, j));
+  };
+  scene::Isosurface s;
+  s.function = std::make_shared<const functions::Function>(
+      b.finish(b.op(Op::add, b.op(Op::add, term(0, 1), term(1, 2)), term(2, 0))));
+  s.threshold = threshold;
+  s.container.lo = dvec3(-half);
+  s.container.hi = dvec3(half);
+  scene::Object o = primitive("isosurface", {});
+  o.extras.edit().isosurface = std::make_shared<const scene::Isosurface>(s);
+  return o;
+}
+
+SceneBuilder mixed_scene() {
+  SceneBuilder b;
+  b.show(primitive("plane", {0, 1, 0, -1.3}));
+  b.show(primitive("sphere", {0.8, 0.4, -0.6, 0.6}));
+  b.show(gyroid(5, 0.1, 1));
+  scene::Object turned = gyroid(4, -0.2, 0.7);
+  turned.transform = Transform::scale({1, 0.6, 1.3})
+                         .then(Transform::rotate_deg({20, 40, 0}))
+                         .then(Transform::translate({-0.5, 0.3, -0.2}));
+  b.show(turned);
+  scene::Object inverted = gyroid(6, 0, 0.4);
+  inverted.inverse = true;
+  inverted.transform = Transform::translate({0, 1.2, 0});
+  b.show(inverted);
+  scene::Object clipped = gyroid(5, 0.3, 0.8);
+  clipped.extras.edit().clips = {b.add(primitive("plane", {0.6, 0, 0.8, 0.7}))};
+  clipped.transform = Transform::translate({0.43, 0.41, 0.9});
+  b.show(clipped);
+  scene::Object hidden = gyroid(5, 0.3, 0.5);
+  hidden.no_image = true;
+  hidden.transform = Transform::translate({0, 0, -1.2});
+  b.show(hidden);
+  scene::Object bounded = gyroid(3, 0, 0.6);
+  // Right, but not so easily known to be.
+  bounded.extras.edit().bounds = {
+      b.csg(scene::NodeKind::merge, {b.add(primitive("sphere", {-1.3, 0.2, 0.6, 1.1})),
+                                     b.add(primitive("sphere", {-1.3, 1.2, 0.6, 0.3}))})};
+  bounded.transform = Transform::translate({-1.3, 0.2, 0.6});
+  b.show(bounded);
+  return b;
+}
+
+/// More of them behind each other than a ray puts off.
+SceneBuilder row_of_many() {
+  SceneBuilder b;
+  for (int i = 0; i < 12; ++i) {
+    scene::Object o = gyroid(7, 0.8, 0.5);
+    o.transform = Transform::translate({0.1 * i - 0.6, 0.05 * i - 0.3, 0.2 * i - 1.2});
+    b.show(o);
+  }
+  return b;
+}
+
+/// A bundle of rays that start near one place and go about the same way.
+std::vector<Ray> bundle(Random& random, std::size_t count) {
+  const dvec3 o = 4.0 * direction(random);
+  const dvec3 to = point_in_cube(random, 1);
+  std::vector<Ray> rays;
+  for (std::size_t i = 0; i < count; ++i) {
+    rays.push_back({o, glm::normalize(to + point_in_cube(random, 0.3) - o)});
+  }
+  return rays;
+}
+
+bool same(const Hit& a, const Hit& b) {
+  return a.t == b.t && a.leaf == b.leaf && a.interior == b.interior && a.p == b.p && a.n == b.n &&
+         a.store == b.store && a.shape == b.shape && a.part == b.part && a.depth == b.depth;
+}
+
+}  // namespace
+
+TEST_CASE("together: rays side by side meet what each meets alone", "[tracer][together]") {
+  const bool many = GENERATE(false, true);
+  const auto hierarchy = GENERATE(Hierarchy::embree, Hierarchy::linear);
+  Geometry geometry = (many ? row_of_many() : mixed_scene()).build(hierarchy);
+  geometry.set_opaque(std::vector<bool>(geometry.surfaces().size(), true));
+  REQUIRE(geometry.answers_together());
+  const auto scratch = geometry.make_scratch();
+  Random random(7);
+  int hits = 0;
+  int shadows = 0;
+  for (int round = 0; round < 150; ++round) {
+    const auto count = static_cast<std::size_t>(1 + random() % most_in_packet);
+    const std::vector<Ray> rays = bundle(random, count);
+    std::vector<MeetingRay> meeting(count);
+    std::vector<ShadowRay> shadow(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double reach = random() % 4 == 0 ? uniform(random, 2, 5) : no_hit_depth;
+      meeting[i].ray = &rays[i];
+      meeting[i].t_from = shadow[i].t_from = t_min;
+      meeting[i].t_to = shadow[i].t_to = reach;
+      shadow[i].ray = rays[i];
+    }
+    const RayKind kind = random() % 2 == 0 ? RayKind::image : RayKind::reflection;
+    geometry.closest(meeting, kind, *scratch);
+    geometry.occluded(shadow, *scratch);
+    for (std::size_t i = 0; i < count; ++i) {
+      const MeetingRay& m = meeting[i];
+      Hit alone;
+      REQUIRE(geometry.closest(rays[i], m.t_from, m.t_to, kind, alone, *scratch) == m.met);
+      CAPTURE(m.hit.t - alone.t, m.hit.leaf, alone.leaf);
+      if (m.met) REQUIRE(same(m.hit, alone));
+      REQUIRE(geometry.occluded(rays[i], m.t_from, m.t_to, *scratch) == shadow[i].blocked);
+      hits += m.met ? 1 : 0;
+      shadows += shadow[i].blocked ? 1 : 0;
+    }
+  }
+  CHECK(hits > 300);
+  CHECK(shadows > 300);
+}
+
+TEST_CASE("together: scenes without such objects know it", "[tracer][together]") {
+  CHECK_FALSE(only(primitive("sphere", {0, 0, 0, 1})).answers_together());
+}
+
+}  // namespace durer::tracer::test

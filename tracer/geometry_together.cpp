@@ -1,0 +1,171 @@
+// Rays that go side by side: each goes through the hierarchy on its own, but puts off those objects
+// that answer several rays faster together; then each of these is asked once.
+#include <algorithm>
+#include <bit>
+#include <new>
+#include <utility>
+
+#include "tracer/geometry_state.h"
+
+namespace durer::tracer {
+namespace {
+
+static_assert(most_in_packet <= 32);  // sets of rays are the bits of a number
+
+/// An object that was put off, and by whom.
+struct Wanted {
+  PutOff::Object object;
+  std::uint32_t rays;
+};
+
+/// All objects that were put off, in the order in which rays came by.
+class WantedList {
+ public:
+  void add(const PutOff::Object& object, std::uint32_t ray) {
+    for (std::size_t i = 0; i < count_; ++i) {
+      Wanted& known = all_[i];
+      if (known.object.targets != object.targets || known.object.index != object.index) continue;
+      known.rays |= 1U << ray;
+      return;
+    }
+    all_[count_++] = {object, 1U << ray};
+  }
+  [[nodiscard]] std::span<const Wanted> all() const { return std::span(all_).first(count_); }
+
+ private:
+  std::array<Wanted, most_in_packet * PutOff::most> all_;
+  std::size_t count_ = 0;
+};
+
+bool is_answered(const RayQuery& query) {
+  return (query.any && query.found.store != nullptr) || !(query.t_from < query.t_to);
+}
+
+void ask(const Wanted& wanted, Packet<RayQuery>& queries) {
+  std::array<RayQuery*, most_in_packet> open;
+  std::size_t count = 0;
+  for (std::uint32_t left = wanted.rays; left != 0; left &= left - 1) {
+    RayQuery& query = queries[static_cast<std::size_t>(std::countr_zero(left))];
+    if (!is_answered(query)) open[count++] = &query;
+  }
+  const auto [targets, index] = wanted.object;
+  if (count == 1) {
+    targets->nearest(*targets, index, *open[0]);
+  } else if (count > 1) {
+    targets->nearest_together(*targets, index, std::span(open).first(count));
+  }
+}
+
+/// Asks what the first `count` queries put off.
+void ask_put_off(std::size_t count, GeometryScratch& scratch) {
+  WantedList wanted;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    RayQuery& query = scratch.queries[i];
+    if (std::exchange(query.later, nullptr) == nullptr || is_answered(query)) continue;
+    const PutOff& list = scratch.lists[i];
+    for (std::uint32_t k = 0; k < list.count; ++k) wanted.add(list.objects[k], i);
+  }
+  for (const Wanted& w : wanted.all()) ask(w, scratch.queries);
+}
+
+}  // namespace
+
+void ask_now(RayQuery& query) {
+  const PutOff& list = *std::exchange(query.later, nullptr);
+  for (std::uint32_t i = 0; i < list.count; ++i) {
+    const auto [targets, index] = list.objects[i];
+    targets->nearest(*targets, index, query);
+    if (is_answered(query)) return;
+  }
+}
+
+void Geometry::closest(std::span<MeetingRay> rays, RayKind kind, GeometryScratch& scratch) const {
+  if (!state_->answers_together || rays.size() == 1) {
+    for (MeetingRay& r : rays) r.met = closest(*r.ray, r.t_from, r.t_to, kind, r.hit, scratch);
+    return;
+  }
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const MeetingRay& r = rays[i];
+    RayQuery& query = *::new (&scratch.queries[i])
+                          RayQuery(state_->query(*r.ray, r.t_from, r.t_to, kind, scratch));
+    query.later = &scratch.lists[i];
+    query.later->count = 0;
+    state_->accel->closest(query);
+  }
+  ask_put_off(rays.size(), scratch);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    MeetingRay& r = rays[i];
+    const RayQuery& query = scratch.queries[i];
+    r.met = query.found.store != nullptr;
+    if (!r.met) continue;
+    state_->fill_in(query, r.hit);
+    if (r.hit.depth > 0) state_->resolve_path(query.path, r.hit);
+  }
+  state_->add_normals(rays);
+}
+
+void Geometry::occluded(std::span<ShadowRay> rays, GeometryScratch& scratch) const {
+  if (!state_->answers_together || rays.size() == 1) {
+    for (ShadowRay& r : rays) r.blocked = occluded(r.ray, r.t_from, r.t_to, scratch);
+    return;
+  }
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const ShadowRay& r = rays[i];
+    RayQuery& query = *::new (&scratch.queries[i])
+                          RayQuery(state_->shadow_query(r.ray, r.t_from, r.t_to, scratch));
+    query.later = &scratch.lists[i];
+    query.later->count = 0;
+    state_->accel->any(query);
+  }
+  ask_put_off(rays.size(), scratch);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    rays[i].blocked = scratch.queries[i].found.store != nullptr;
+  }
+}
+
+void Geometry::State::add_normals(std::span<MeetingRay> rays) const {
+  std::array<Hit*, most_in_packet> waiting;
+  std::size_t count = 0;
+  for (MeetingRay& r : rays) {
+    if (!r.met) continue;
+    Hit& hit = r.hit;
+    if (hit.depth > 0) {
+      orient(hit);
+    } else if (hit.store->nearest_together != nullptr) {
+      waiting[count++] = &hit;
+    } else {
+      hit.n = hit.store->normal(hit.shape, hit.p, hit.part);
+      orient(hit);
+    }
+  }
+  std::span<Hit*> open = std::span(waiting).first(count);
+  while (!open.empty()) {
+    const Hit& one = *open.front();
+    const auto others = std::partition(open.begin(), open.end(), [&](const Hit* hit) {
+      return hit->store == one.store && hit->shape == one.shape;
+    });
+    const auto same = static_cast<std::size_t>(others - open.begin());
+    add_normals_of_shape(open.first(same));
+    open = open.subspan(same);
+  }
+}
+
+void Geometry::State::add_normals_of_shape(std::span<Hit* const> hits) const {
+  std::array<dvec3, most_in_packet> points;
+  std::array<dvec3, most_in_packet> normals;
+  std::array<std::uint32_t, most_in_packet> faces;
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    points[i] = hits[i]->p;
+    faces[i] = hits[i]->part;
+  }
+  hits.front()->store->normals(hits.front()->shape,
+                               std::span<const dvec3>(points).first(hits.size()),
+                               std::span<const std::uint32_t>(faces).first(hits.size()),
+                               normals.data());
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    hits[i]->n = normals[i];
+    orient(*hits[i]);
+  }
+}
+
+}  // namespace durer::tracer
