@@ -169,16 +169,4 @@ std::optional<Nearest> IsosurfaceShape::nearest(const Ray& ray, double t_from, d
   return hit;
 }
 
-void IsosurfaceShape::nearest(std::span<const PacketRay> rays,
-                              std::span<std::optional<Nearest>> hits) const {
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    hits[i] = nearest(rays[i].ray, rays[i].t_from, rays[i].t_to);
-  }
-}
-
-void IsosurfaceShape::normals(std::span<const dvec3> points, std::span<const std::uint32_t> parts,
-                              dvec3* out) const {
-  for (std::size_t i = 0; i < points.size(); ++i) out[i] = normal(points[i], parts[i]);
-}
-
 }  // namespace durer::tracer
