@@ -177,8 +177,8 @@ class Geometry {
 
   /// True if some objects answer several rays faster together than one by one.
   [[nodiscard]] bool answers_together() const;
-  /// The same for up to most_in_packet rays, neighbours if possible; the same hits, bit for bit, as
-  /// far as surfaces do not coincide.
+  /// `closest` for up to most_in_packet rays, neighbours if possible: the same hits, bit for bit, as
+  /// long as surfaces do not coincide and bounds do not cut what they bound.
   void closest(std::span<MeetingRay> rays, RayKind kind, GeometryScratch& scratch) const;
 
   /// Surface coordinates at a hit (objects §14).
@@ -192,6 +192,7 @@ class Geometry {
   /// True if an opaque, shadow-casting surface lies in t_from < t < t_to.
   bool occluded(const Ray& ray, double t_from, double t_to, GeometryScratch& scratch) const;
 
+  /// The same for up to most_in_packet rays, neighbours if possible.
   void occluded(std::span<ShadowRay> rays, GeometryScratch& scratch) const;
 
   /// What may cast shadows into a shaft; false, with some of them, if they are too many to ask one by

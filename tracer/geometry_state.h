@@ -80,7 +80,7 @@ struct GeometryScratch {
   std::vector<std::uint32_t> bodies;
   // Of rays that go side by side.
   Packet<RayQuery> queries;
-  std::array<PutOff, most_in_packet> lists;
+  PutOff put_off;
 };
 
 struct Geometry::State {

@@ -10,72 +10,42 @@
 namespace durer::tracer {
 namespace {
 
-static_assert(most_in_packet <= 32);  // sets of rays are the bits of a number
-
-/// An object that was put off, and by whom.
-struct Wanted {
-  PutOff::Object object;
-  std::uint32_t rays;
-};
-
-/// All objects that were put off, in the order in which rays came by.
-class WantedList {
- public:
-  void add(const PutOff::Object& object, std::uint32_t ray) {
-    for (std::size_t i = 0; i < count_; ++i) {
-      Wanted& known = all_[i];
-      if (known.object.targets != object.targets || known.object.index != object.index) continue;
-      known.rays |= 1U << ray;
-      return;
-    }
-    all_[count_++] = {object, 1U << ray};
-  }
-  [[nodiscard]] std::span<const Wanted> all() const { return std::span(all_).first(count_); }
-
- private:
-  std::array<Wanted, most_in_packet * PutOff::most> all_;
-  std::size_t count_ = 0;
-};
+static_assert(most_in_packet <= 32);  // sets of rays are bits of PutOff::Object::rays
 
 bool is_answered(const RayQuery& query) {
   return (query.any && query.found.store != nullptr) || !(query.t_from < query.t_to);
 }
 
-void ask(const Wanted& wanted, Packet<RayQuery>& queries) {
+void ask(const PutOff::Object& object, Packet<RayQuery>& queries) {
   std::array<RayQuery*, most_in_packet> open;
   std::size_t count = 0;
-  for (std::uint32_t left = wanted.rays; left != 0; left &= left - 1) {
+  for (std::uint32_t left = object.rays; left != 0; left &= left - 1) {
     RayQuery& query = queries[static_cast<std::size_t>(std::countr_zero(left))];
     if (!is_answered(query)) open[count++] = &query;
   }
-  const auto [targets, index] = wanted.object;
+  const Targets& targets = *object.targets;
   if (count == 1) {
-    targets->nearest(*targets, index, *open[0]);
+    open[0]->later = nullptr;
+    targets.nearest(targets, object.index, *open[0]);
   } else if (count > 1) {
-    targets->nearest_together(*targets, index, std::span(open).first(count));
+    targets.nearest_together(targets, object.index, std::span(open).first(count));
   }
 }
 
-/// Asks what the first `count` queries put off.
-void ask_put_off(std::size_t count, GeometryScratch& scratch) {
-  WantedList wanted;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    RayQuery& query = scratch.queries[i];
-    if (std::exchange(query.later, nullptr) == nullptr || is_answered(query)) continue;
-    const PutOff& list = scratch.lists[i];
-    for (std::uint32_t k = 0; k < list.count; ++k) wanted.add(list.objects[k], i);
-  }
-  for (const Wanted& w : wanted.all()) ask(w, scratch.queries);
+void ask_put_off(GeometryScratch& scratch) {
+  const PutOff& list = scratch.put_off;
+  for (std::uint32_t i = 0; i < list.count; ++i) ask(list.objects[i], scratch.queries);
 }
 
 }  // namespace
 
 void ask_now(RayQuery& query) {
-  const PutOff& list = *std::exchange(query.later, nullptr);
+  PutOff& list = *std::exchange(query.later, nullptr);
   for (std::uint32_t i = 0; i < list.count; ++i) {
-    const auto [targets, index] = list.objects[i];
-    targets->nearest(*targets, index, query);
-    if (is_answered(query)) return;
+    PutOff::Object& object = list.objects[i];
+    if ((object.rays & list.ray) == 0) continue;
+    object.rays &= ~list.ray;
+    if (!is_answered(query)) object.targets->nearest(*object.targets, object.index, query);
   }
 }
 
@@ -84,15 +54,16 @@ void Geometry::closest(std::span<MeetingRay> rays, RayKind kind, GeometryScratch
     for (MeetingRay& r : rays) r.met = closest(*r.ray, r.t_from, r.t_to, kind, r.hit, scratch);
     return;
   }
-  for (std::size_t i = 0; i < rays.size(); ++i) {
+  scratch.put_off.count = 0;
+  for (std::uint32_t i = 0; i < rays.size(); ++i) {
     const MeetingRay& r = rays[i];
     RayQuery& query = *::new (&scratch.queries[i])
                           RayQuery(state_->query(*r.ray, r.t_from, r.t_to, kind, scratch));
-    query.later = &scratch.lists[i];
-    query.later->count = 0;
+    query.later = &scratch.put_off;
+    scratch.put_off.begin(i);
     state_->accel->closest(query);
   }
-  ask_put_off(rays.size(), scratch);
+  ask_put_off(scratch);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     MeetingRay& r = rays[i];
     const RayQuery& query = scratch.queries[i];
@@ -109,15 +80,16 @@ void Geometry::occluded(std::span<ShadowRay> rays, GeometryScratch& scratch) con
     for (ShadowRay& r : rays) r.blocked = occluded(r.ray, r.t_from, r.t_to, scratch);
     return;
   }
-  for (std::size_t i = 0; i < rays.size(); ++i) {
+  scratch.put_off.count = 0;
+  for (std::uint32_t i = 0; i < rays.size(); ++i) {
     const ShadowRay& r = rays[i];
     RayQuery& query = *::new (&scratch.queries[i])
                           RayQuery(state_->shadow_query(r.ray, r.t_from, r.t_to, scratch));
-    query.later = &scratch.lists[i];
-    query.later->count = 0;
+    query.later = &scratch.put_off;
+    scratch.put_off.begin(i);
     state_->accel->any(query);
   }
-  ask_put_off(rays.size(), scratch);
+  ask_put_off(scratch);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     rays[i].blocked = scratch.queries[i].found.store != nullptr;
   }

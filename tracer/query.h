@@ -28,16 +28,39 @@ struct Found {
   std::uint32_t depth = 0;  // entries of the query's path
 };
 
-/// Objects that a ray came by and that wait for other rays, to be asked once for all of them.
+/// Objects that rays came by and that wait to be asked once for all of these.
 struct PutOff {
   struct Object {
     const Targets* targets;
     std::uint32_t index;
+    std::uint32_t rays;  // a bit for each
   };
-  /// What a ray passes more of is asked on its way, lest it asks everybody behind what it hits.
-  static constexpr std::uint32_t most = 4;
-  std::array<Object, most> objects;  // in the order in which the ray came by
+  static constexpr std::uint32_t most = 16;
+  /// Of a ray that passes more of them, those on its way are asked before it goes on, lest it asks
+  /// everybody behind what it hits.
+  static constexpr std::uint32_t most_of_ray = 4;
+
+  std::array<Object, most> objects;  // in the order in which rays came by
   std::uint32_t count = 0;
+  // The ray that is on its way.
+  std::uint32_t ray = 0;  // its bit
+  std::uint32_t passed = 0;
+
+  void begin(std::uint32_t number) {
+    ray = 1U << number;
+    passed = 0;
+  }
+  /// False if there is no room.
+  bool add(const Targets& targets, std::uint32_t index) {
+    if (passed == most_of_ray) return false;
+    std::uint32_t i = 0;
+    while (i < count && (objects[i].targets != &targets || objects[i].index != index)) ++i;
+    if (i == most) return false;
+    if (i == count) objects[count++] = {&targets, index, 0};
+    objects[i].rays |= ray;
+    ++passed;
+    return true;
+  }
 };
 
 /// Looks for t_from <= t < t_to; t_to shrinks to the nearest hit. World space, double: the
@@ -61,7 +84,7 @@ struct RayQuery {
 [[nodiscard]] bool gate_open(std::uint32_t gate, const RayQuery& query);
 [[nodiscard]] bool gates_open(std::uint32_t leaf, const RayQuery& query);
 
-/// Asks those on a query's list one by one, after which it has none (geometry_together.cpp).
+/// Asks what a query has put off, which from now on puts off nothing (geometry_together.cpp).
 void ask_now(RayQuery& query);
 
 }  // namespace durer::tracer

@@ -284,13 +284,9 @@ class TypedStore final : public Store {
   /// True if the query need not be answered now.
   static bool put_off(const TypedStore& self, std::uint32_t index, RayQuery& query) {
     if ((self.tags[index].mask & query.mask) == 0) return true;
-    PutOff& list = *query.later;
-    if (list.count == PutOff::most) {
-      ask_now(query);
-      return query.any && query.found.store != nullptr;
-    }
-    list.objects[list.count++] = {&self, index};
-    return true;
+    if (query.later->add(self, index)) return true;
+    ask_now(query);
+    return query.any && query.found.store != nullptr;
   }
 
   static double seen_to(const RayQuery& query) {

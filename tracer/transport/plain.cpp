@@ -16,9 +16,10 @@ void Tracer::plain_light(const View& view, const Containment& inside, vec3& ligh
   vec3 lit(0.0F);
   if (finish.lit) {
     for (const std::uint32_t i : lamp_sets_[view.lamps]) {
-      if_lit(i, view, layer, [&](const Light& lamp, const Incidence& in, bool hidden) DURER_LAMBDA_INLINE {
-        add_light(view, inside, layer, lamp, in, hidden, lit);
-      });
+      if_lit(i, view, layer,
+             [&](const Light& lamp, const Incidence& in, bool hidden) DURER_LAMBDA_INLINE {
+               add_light(view, inside, layer, lamp, in, hidden, lit);
+             });
     }
   }
   add_glow(layer, lit, light);

@@ -394,7 +394,8 @@ class Tracer {
   void plain_light(const View& view, const Containment& inside, vec3& light);
   [[nodiscard]] inline const Finish& finish_of_plain(const View& view) const;
   template <typename Visit>
-  inline void if_lit(std::uint32_t number, const View& view, const LayerPoint& layer, const Visit& visit);
+  inline void if_lit(std::uint32_t number, const View& view, const LayerPoint& layer,
+                     const Visit& visit);
   inline void add_light(const View& view, const Containment& inside, const LayerPoint& layer,
                         const Light& lamp, const Incidence& in, bool hidden, vec3& lit);
   inline static void add_glow(const LayerPoint& layer, const vec3& lit, vec3& light);
