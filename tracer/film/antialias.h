@@ -2,6 +2,7 @@
 // that differ from their neighbours; method 2 is in adaptive.h.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <glm/vec4.hpp>
@@ -27,6 +28,20 @@ struct Block {
   return static_cast<std::uint64_t>(b.right - b.left) * static_cast<unsigned>(b.bottom - b.top);
 }
 
+/// Calls f(x, y) for every pixel of a block, square by square: the sixteen of a square are near to each
+/// other in both directions, and so are their rays, which go side by side.
+template <typename F>
+void in_squares(const Block& block, const F& f) {
+  constexpr int edge = 4;
+  for (int top = block.top; top < block.bottom; top += edge) {
+    for (int left = block.left; left < block.right; left += edge) {
+      for (int y = top; y < std::min(top + edge, block.bottom); ++y) {
+        for (int x = left; x < std::min(left + edge, block.right); ++x) f(x, y);
+      }
+    }
+  }
+}
+
 /// Where a sample is taken. Whole numbers are centres of pixels; `index` tells the samples of a pixel
 /// apart: 0 is its centre.
 struct Spot {
@@ -41,7 +56,7 @@ struct AntialiasOptions {
   float jitter = 1;
   float gamma = 2.5F;
   GammaCurve working;  // of the scene's numbers
-  bool ahead = true;   // rows may be sampled before their pixels are compared
+  bool ahead = true;   // all pixels may be sampled before they are compared
 };
 
 /// A sample, or several, and how comparisons see it.
@@ -75,13 +90,18 @@ class Antialias {
   template <typename Take, typename Put>
   void render(const Block& block, const Take& take, const Put& put) {
     start(block);
-    take_centres(block.left, block.right, block.top - 1, take);
-    for (int x = block.left; x < block.right; ++x) cell(x, block.top - 1).done = true;
-    for (int y = block.top; y < block.bottom; ++y) {
-      take_centres(block.left - 1, options_.ahead ? block.right : block.left, y, take);
-      cell(block.left - 1, y).done = true;
-      for (int x = block.left; x < block.right; ++x) {
-        if (!options_.ahead) take_centres(x, x + 1, y, take);
+    const auto [left, top, right, bottom] = block;
+    take_centres({left, top - 1, right, top}, take);
+    for (int x = left; x < right; ++x) cell(x, top - 1).done = true;
+    if (options_.ahead) {
+      take_centres({left - 1, top, left, bottom}, take);
+      take_centres(block, take);
+    }
+    for (int y = top; y < bottom; ++y) {
+      if (!options_.ahead) take_centres({left - 1, y, left, y + 1}, take);
+      cell(left - 1, y).done = true;
+      for (int x = left; x < right; ++x) {
+        if (!options_.ahead) take_centres({x, y, x + 1, y + 1}, take);
         visit(x, y, take);
       }
     }
@@ -107,11 +127,12 @@ class Antialias {
     take(std::span<const Spot>(spots_), values_.data());
   }
   template <typename Take>
-  void take_centres(int left, int right, int y, const Take& take) {
+  void take_centres(const Block& part, const Take& take) {
     spots_.clear();
-    for (int x = left; x < right; ++x) spots_.push_back({double(x), double(y), 0});
+    in_squares(part, [&](int x, int y) { spots_.push_back({double(x), double(y), 0}); });
     take_spots(take);
-    for (const Pixel& value : values_) cell(left++, y).seen = compare_.sampled(value);
+    const Pixel* value = values_.data();
+    in_squares(part, [&](int x, int y) { cell(x, y).seen = compare_.sampled(*value++); });
   }
 
   // Compares before any refinement; a neighbour that differs is refined as well, once.

@@ -56,7 +56,8 @@ class BlockRenderer {
         image_(&image),
         eye_(view),
         antialias_(antialias_options(*view.scene, *view.options)),
-        adaptive_(antialias_options(*view.scene, *view.options)) {}
+        adaptive_(antialias_options(*view.scene, *view.options)),
+        ahead_(antialias_options(*view.scene, *view.options).ahead) {}
 
   /// Before each block: what is known of indirect light. `id` tells the blocks apart.
   void begin(const IrradianceCache& cache, std::uint32_t id) { eye_.begin(&cache, ~id); }
@@ -71,19 +72,24 @@ class BlockRenderer {
       };
       return antialias_.render(block, take_all, put);
     }
-    for (int y = block.top; y < block.bottom; ++y) {
-      row_.clear();
-      for (int x = block.left; x < block.right; ++x) row_.push_back({double(x), double(y), 0});
-      pixels_.resize(row_.size());
-      eye_.see(row_, pixels_.data());
-      int x = block.left;
-      for (const Pixel& pixel : pixels_) store(x++, y, pixel);
+    // The order of pixels matters where one adds to what others find.
+    const int height = ahead_ ? block.bottom - block.top : 1;
+    for (int y = block.top; y < block.bottom; y += height) {
+      see_all({block.left, y, block.right, y + height});
     }
   }
 
   [[nodiscard]] std::uint64_t rays() const { return eye_.rays(); }
 
  private:
+  void see_all(const Block& part) {
+    spots_.clear();
+    in_squares(part, [&](int x, int y) { spots_.push_back({double(x), double(y), 0}); });
+    pixels_.resize(spots_.size());
+    eye_.see(spots_, pixels_.data());
+    const Pixel* pixel = pixels_.data();
+    in_squares(part, [&](int x, int y) { store(x, y, *pixel++); });
+  }
   void store(int x, int y, const Pixel& p) {
     const auto out = image_->at(x, y);
     for (int i = 0; i < 3; ++i) out[i] = p[i];
@@ -95,7 +101,8 @@ class BlockRenderer {
   Eye eye_;
   Antialias antialias_;
   AdaptiveAntialias adaptive_;
-  std::vector<Spot> row_;
+  bool ahead_;
+  std::vector<Spot> spots_;
   std::vector<Pixel> pixels_;
 };
 
