@@ -5,6 +5,20 @@
 #include "functions/operands.h"
 
 namespace durer::functions {
+namespace {
+
+/// The waves of those angles of `in` that change, one by one.
+void add_changing_waves(const Function& f, const Instruction& in, std::vector<bool>& changes,
+                        Function& part) {
+  for (std::uint32_t i = 0; i < in.count / 2U; ++i) {
+    if (!changes[f.operands[in.a + i]]) continue;
+    part.code.push_back({Op::waves, 2, in.dst + 2 * i, in.a + i, 0});
+    changes[in.dst + 2 * i] = true;
+    changes[in.dst + 2 * i + 1] = true;
+  }
+}
+
+}  // namespace
 
 Function depending_on(const Function& f, unsigned changed) {
   Function part = f;
@@ -19,6 +33,10 @@ Function depending_on(const Function& f, unsigned changed) {
     bool depends = false;
     for_operands(f, in, [&](const Register& r) { depends = depends || changes[r]; });
     if (!depends) continue;
+    if (in.op == Op::waves) {
+      add_changing_waves(f, in, changes, part);
+      continue;
+    }
     part.code.push_back(in);
     for (std::uint32_t i = 0; i < results_of(in); ++i) changes[in.dst + i] = true;
   }

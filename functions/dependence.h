@@ -6,7 +6,8 @@
 namespace durer::functions {
 
 /// The tape without the instructions whose results stay if only the parameters in `changed` change
-/// (bit i: parameter i). A tape with branches or loops is kept as a whole.
+/// (bit i: parameter i), and of waves only those that do not. A tape with branches or loops is kept
+/// as a whole.
 [[nodiscard]] Function depending_on(const Function& f, unsigned changed);
 
 }  // namespace durer::functions

@@ -81,12 +81,21 @@ inline void sines_and_cosines(const Pack& a, const Pack& b, Pack* out) {
     for (std::size_t k = 0; k < 4; ++k) out[k].v[lane] = c[k];
   }
 }
+inline void sine_and_cosine(const Trend& a, Trend* out) {
+  const Circle c = circle_of(a.range());
+  out[0] = trend_detail::chain(c.sine, c.cosine, a);
+  out[1] = trend_detail::chain(c.cosine, -c.sine, a);
+}
 inline void sines_and_cosines(const Trend& a, const Trend& b, Trend* out) {
-  for (const Trend* angle : {&a, &b}) {
-    const Circle c = circle_of(angle->range());
-    *out++ = trend_detail::chain(c.sine, c.cosine, *angle);
-    *out++ = trend_detail::chain(c.cosine, -c.sine, *angle);
-  }
+  sine_and_cosine(a, out);
+  sine_and_cosine(b, out + 2);
+}
+/// Of one angle: what it gives in company, too.
+template <class T>
+void sine_and_cosine(const T& a, T* out) {
+  T both[4];
+  sines_and_cosines(a, a, both);
+  std::copy_n(both, 2, out);
 }
 
 /// Executes one tape on one frame of registers.
@@ -177,11 +186,7 @@ class Machine {
     for (; i + 1 < n; i += 2) {
       sines_and_cosines(r_[angle[i]], r_[angle[i + 1]], out + 2 * i);
     }
-    if (i < n) {
-      T both[4];
-      sines_and_cosines(r_[angle[i]], r_[angle[i]], both);
-      std::copy_n(both, 2, out + 2 * i);
-    }
+    if (i < n) sine_and_cosine(r_[angle[i]], out + 2 * i);
   }
 
   std::uint32_t select(const Instruction& in) {
