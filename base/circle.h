@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstdint>
 
 #include "base/interval.h"
 #include "base/ranges.h"
+
+// Part of its caller, whatever instruction set that is compiled for.
+#define DURER_CIRCLE_INLINE inline __attribute__((always_inline))
 
 namespace durer {
 
@@ -23,9 +25,9 @@ inline constexpr double farthest = 1e6;
 inline constexpr double pad = 1e-15;
 
 /// c[0] + c[1] z + …
-template <std::size_t n>
-[[nodiscard]] inline DoublePair series(const std::array<double, n>& c, DoublePair z) {
-  DoublePair sum{c[n - 1], c[n - 1]};
+template <std::size_t n, class V>
+[[nodiscard]] DURER_CIRCLE_INLINE V series(const std::array<double, n>& c, V z) {
+  V sum = V{} + c[n - 1];
   for (std::size_t i = n - 1; i-- > 0;) sum = sum * z + c[i];
   return sum;
 }
@@ -42,19 +44,26 @@ template <std::size_t n>
   }
   return c;
 }
+inline constexpr auto odd = factorials<8>(1);
+inline constexpr auto even = factorials<9>(0);
 }  // namespace circle_detail
 
-/// Sines and cosines of two angles; how many quarter turns these are, rounded, and what is left.
-struct PairOnCircle {
-  DoublePair sine, cosine;
-  DoublePair quarters, rest;
+/// Sines and cosines of several angles; how many quarter turns these are, rounded, and what is left.
+template <class V>
+struct OnCircle {
+  V sine, cosine;
+  V quarters, rest;
 };
+using PairOnCircle = OnCircle<DoublePair>;
+
 /// True if the angle is not too large for on_circle().
 [[nodiscard]] inline bool fits_circle(double angle) {
   return angle > -circle_detail::farthest && angle < circle_detail::farthest;
 }
-/// The same bits on every processor. Error: below 4e-16.
-[[nodiscard]] inline PairOnCircle on_circle(DoublePair angles) {
+/// V: a vector of doubles of any length. The same bits in every lane, on every processor. Error:
+/// below 4e-16. Becomes part of its caller, and so is compiled for the caller's instruction set.
+template <class V>
+[[nodiscard]] DURER_CIRCLE_INLINE OnCircle<V> on_circle(V angles) {
   using namespace circle_detail;
   using Bits = decltype(angles < angles);
   // π/2 in three parts; the first two have so few digits that their products with quarters are exact.
@@ -62,20 +71,18 @@ struct PairOnCircle {
   constexpr double part2 = 0x1.0b4611a6p-34;
   constexpr double part3 = 0x1.3198a2e037073p-69;
   constexpr double rounder = 0x1.8p52;  // leaves an integer in the lowest bits
-  static constexpr auto odd = factorials<8>(1);
-  static constexpr auto even = factorials<9>(0);
-  const DoublePair shifted = angles * (2 / std::numbers::pi) + rounder;
-  const DoublePair k = shifted - rounder;
-  const DoublePair r = ((angles - k * part1) - k * part2) - k * part3;
-  const DoublePair z = r * r;
-  const auto s = std::bit_cast<Bits>(r * series(odd, z));
-  const auto c = std::bit_cast<Bits>(series(even, z));
-  const auto quarter = std::bit_cast<Bits>(shifted);
+  const V shifted = angles * (2 / std::numbers::pi) + rounder;
+  const V k = shifted - rounder;
+  const V r = ((angles - k * part1) - k * part2) - k * part3;
+  const V z = r * r;
+  const Bits s = Bits(r * series(odd, z));
+  const Bits c = Bits(series(even, z));
+  const Bits quarter = Bits(shifted);
   const Bits odd_quarter = -(quarter & 1);
-  const auto sign = [](Bits q) { return (q & 2) << 62; };
-  return {std::bit_cast<DoublePair>(((c & odd_quarter) | (s & ~odd_quarter)) ^ sign(quarter)),
-          std::bit_cast<DoublePair>(((s & odd_quarter) | (c & ~odd_quarter)) ^ sign(quarter + 1)),
-          k, r};
+  const Bits sine_sign = (quarter & 2) << 62;
+  const Bits cosine_sign = ((quarter + 1) & 2) << 62;
+  return {V(((c & odd_quarter) | (s & ~odd_quarter)) ^ sine_sign),
+          V(((s & odd_quarter) | (c & ~odd_quarter)) ^ cosine_sign), k, r};
 }
 
 /// Encloses what std::sin and std::cos, or on_circle(), give for the numbers of a range.

@@ -7,6 +7,7 @@
 
 #include "functions/evaluate.h"
 #include "functions/internals.h"
+#include "functions/simd/tape_lanes.h"
 
 namespace durer::functions {
 
@@ -111,6 +112,10 @@ class Machine {
  private:
   void run(std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t pc = begin; pc < end; ++pc) {
+      if constexpr (std::is_same_v<T, Pack>) {
+        pc = simd::best_tape_lanes(f_, r_, pc, end);
+        if (pc == end) return;
+      }
       const Instruction& in = f_.code[pc];
       switch (in.op) {
 #define DURER_OP(name, arity, expression, doc)           \

@@ -10,6 +10,8 @@
 #include "functions/evaluate.h"
 #include "functions/noise.h"
 #include "functions/simd/noise_kernels.h"
+#include "functions/simd/tape_lanes.h"
+#include "functions/waves.h"
 #include "tests/unit/functions/parse_function.h"
 
 using namespace durer;
@@ -71,6 +73,13 @@ void measure_function(const std::string& body, const Points& points) {
     evaluate_batch(f, columns, n, out.data(), w);
     return out[17];
   });
+  if (body.find("sin") != std::string::npos) {
+    const Function waves = with_waves(f);
+    measure("  batch, waves together", [&] {
+      evaluate_batch(waves, columns, n, out.data(), w);
+      return out[17];
+    });
+  }
   measure("  interval", [&] {
     double sum = 0;
     Evaluator<Interval> over(f, w);
@@ -175,12 +184,38 @@ void measure_rows(double step) {
   });
 }
 
+// Eight points at a time, by each instruction set.
+void measure_lanes(const std::string& body, const Points& points) {
+  const Function f = with_waves(parse_function(body));
+  Workspace w;
+  std::vector<std::array<Pack, 3>> packs(n / Pack::lanes);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (int k = 0; k < 3; ++k) packs[i / Pack::lanes][k].v[i % Pack::lanes] = points.p[i][k];
+  }
+  const simd::TapeLanes best = simd::best_tape_lanes;
+  int set = 0;
+  for (const simd::TapeLanes lanes : simd::all_tape_lanes()) {
+    simd::best_tape_lanes = lanes;
+    measure((body.substr(0, 30) + "  set " + std::to_string(set++)).c_str(), [&] {
+      double sum = 0;
+      Evaluator<Pack> at(f, w);
+      for (const auto& p : packs) sum += at(p).v[3];
+      return sum;
+    });
+  }
+  simd::best_tape_lanes = best;
+}
+
 }  // namespace
 
 int main() {
   const Points points = make_points();
   for (const double step : {0.0005, 0.003, 0.02, 3.7}) measure_rows(step);
   measure_noise(points);
+  const char* const gyroid = "sin(12*x)*cos(12*y)+sin(12*y)*cos(12*z)+sin(12*z)*cos(12*x)";
+  measure_lanes(gyroid, points);
+  measure_lanes("sqrt(x*x+y*y+z*z)-floor(y)*abs(z)", points);
+  measure_function(gyroid, points);
   measure_function("x*x*x-3*x*y*y+z*z*(2*x-y)-0.7*x*y*z+pow(y,4)-1.2", points);
   measure_function("f_torus(x,y,z,0.9,0.3)", points);
   measure_function("f_torus(x,y,z,0.9,0.3)-f_noise3d(x*10,y*10,z*10)*0.1", points);
