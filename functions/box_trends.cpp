@@ -6,35 +6,49 @@
 #include "functions/machine.h"
 
 namespace durer::functions {
+namespace {
 
-BoxTrends::BoxTrends(FunctionRef function) : function_(std::move(function)) {
+bool same(double a, double b) { return a == b; }
+bool same(const Interval& a, const Interval& b) { return a.lo == b.lo && a.hi == b.hi; }
+Trend argument(const Interval& edge, std::size_t axis) { return Trend::coordinate(edge, axis); }
+double argument(double coordinate, std::size_t /*axis*/) { return coordinate; }
+
+}  // namespace
+
+BoxTrends::BoxTrends(FunctionRef function) : whole_(with_single_waves(*function)) {
   static std::atomic<std::uint64_t> last{0};
   number_ = ++last;
   for (unsigned changed = 1; changed < parts_.size(); ++changed) {
-    parts_[changed] = depending_on(*function_, changed);
+    parts_[changed] = depending_on(*function, changed);
   }
 }
 
-Trend BoxTrends::operator()(const Box& box, Workspace& w, Memory& memory) const {
-  const Function& f = *function_;
-  const bool known = memory.owner_ == number_;
+template <class T, class Arguments>
+const T& BoxTrends::evaluate_anew(const Arguments& arguments, Workspace& w,
+                                  Memory::Last<T, Arguments>& last) const {
+  const bool known = last.owner == number_;
+  if (!known) last.registers.resize(whole_.registers);
+  T* const registers = last.registers.data();
   unsigned changed = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Interval& last = memory.box_[i];
-    if (known && last.lo == box[i].lo && last.hi == box[i].hi) continue;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (known && same(last.arguments[i], arguments[i])) continue;
     changed |= 1U << i;
+    registers[i] = argument(arguments[i], i);
   }
-  if (!known) memory.registers_.resize(f.registers);
-  Trend* const registers = memory.registers_.data();
-  for (std::size_t i = 0; i < 3; ++i) {
-    if ((changed >> i & 1U) != 0) registers[i] = Trend::coordinate(box[i], i);
-  }
-  Machine<Trend> machine(known ? parts_[changed] : f, registers, w);
+  Machine<T> machine(known ? parts_[changed] : whole_, registers, w);
   if (!known) machine.load_constants();
   if (changed != 0) machine.run();
-  memory.owner_ = number_;
-  memory.box_ = box;
-  return registers[f.results[0]];
+  last.owner = number_;
+  last.arguments = arguments;
+  return registers[whole_.results[0]];
+}
+
+Trend BoxTrends::operator()(const Box& box, Workspace& w, Memory& memory) const {
+  return evaluate_anew(box, w, memory.box_);
+}
+
+double BoxTrends::operator()(const Point& p, Workspace& w, Memory& memory) const {
+  return evaluate_anew(p, w, memory.point_);
 }
 
 }  // namespace durer::functions

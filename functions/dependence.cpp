@@ -18,16 +18,13 @@ void add_changing_waves(const Function& f, const Instruction& in, std::vector<bo
   }
 }
 
-}  // namespace
-
-Function depending_on(const Function& f, unsigned changed) {
+/// The instructions to which registers lead that change.
+Function changing(const Function& f, std::vector<bool> changes) {
   Function part = f;
   const auto branches = [](const Instruction& in) {
     return in.op == Op::select || in.op == Op::loop;
   };
   if (std::any_of(f.code.begin(), f.code.end(), branches)) return part;
-  std::vector<bool> changes(f.registers);
-  for (Register r = 0; r < f.parameters; ++r) changes[r] = (changed >> r & 1U) != 0;
   part.code.clear();
   for (const Instruction& in : f.code) {
     bool depends = false;
@@ -41,6 +38,18 @@ Function depending_on(const Function& f, unsigned changed) {
     for (std::uint32_t i = 0; i < results_of(in); ++i) changes[in.dst + i] = true;
   }
   return part;
+}
+
+}  // namespace
+
+Function depending_on(const Function& f, unsigned changed) {
+  std::vector<bool> changes(f.registers);
+  for (Register r = 0; r < f.parameters; ++r) changes[r] = (changed >> r & 1U) != 0;
+  return changing(f, std::move(changes));
+}
+
+Function with_single_waves(const Function& f) {
+  return changing(f, std::vector<bool>(f.registers, true));
 }
 
 }  // namespace durer::functions

@@ -8,6 +8,7 @@
 #include "functions/evaluate.h"
 #include "functions/internals.h"
 #include "functions/simd/tape_lanes.h"
+#include "functions/simd/trend_lanes.h"
 
 namespace durer::functions {
 
@@ -114,6 +115,10 @@ class Machine {
     for (std::uint32_t pc = begin; pc < end; ++pc) {
       if constexpr (std::is_same_v<T, Pack>) {
         pc = simd::best_tape_lanes(f_, r_, pc, end);
+        if (pc == end) return;
+      }
+      if constexpr (std::is_same_v<T, Trend>) {
+        pc = simd::best_trend_lanes(f_, r_, pc, end);
         if (pc == end) return;
       }
       const Instruction& in = f_.code[pc];
