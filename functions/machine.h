@@ -109,8 +109,7 @@ class Machine {
     for (std::size_t i = 0; i < f_.constants.size(); ++i) r_[f_.parameters + i] = f_.constants[i];
   }
   void run() { run(0, static_cast<std::uint32_t>(f_.code.size())); }
-
- private:
+  /// Instructions `begin` … `end` - 1.
   void run(std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t pc = begin; pc < end; ++pc) {
       if constexpr (std::is_same_v<T, Pack>) {
@@ -144,6 +143,7 @@ class Machine {
     }
   }
 
+ private:
   /// Operand `i` of a plain operation; operands beyond the arity alias the first.
   template <int arity, int i>
   const T& operand(const Instruction& in) const {

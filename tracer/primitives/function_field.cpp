@@ -211,7 +211,7 @@ void FunctionField::examine(FieldCell& cell, FieldDetail& detail,
     cell.link.store({state, axis, &detail}, std::memory_order_relaxed);
   };
   static thread_local functions::BoxTrends::Memory memory;
-  const Trend trend = (*trends_)(box, workspace, memory);
+  const Trend trend = (*trends_)(box, {c.x, c.y, c.z}, workspace, memory);
   const Interval range = trend.range();
   if (!range.nan) {
     if (range.hi <= threshold_) return set(State::inside);

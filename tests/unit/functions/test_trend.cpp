@@ -259,7 +259,8 @@ TEST_CASE("box trends: what is remembered of the last box changes no bit", "[fun
       if (rng() % 2 == 0) box[k] = fresh[k];
     }
     const std::size_t which = rng() % 4 == 0 ? 1 : 0;
-    const Trend t = (which == 0 ? first : second)(box, w, memory);
+    const std::array centre{box[0].mid(), box[1].mid(), box[2].mid()};
+    const Trend t = (which == 0 ? first : second)(box, centre, w, memory);
     const Trend expected = evaluate_trend(*functions[which], box, w);
     const auto same = [](const Interval& a, const Interval& b) {
       return a.lo == b.lo && a.hi == b.hi && a.nan == b.nan;
@@ -360,5 +361,32 @@ TEST_CASE("box trends: what is remembered of the last point changes no bit", "[f
     BoxTrends::Memory fresh;
     REQUIRE(value == trends(p, w, fresh));
     CHECK(value == Approx(evaluate(*f, p, w)).margin(1e-12));
+  }
+}
+
+TEST_CASE("box trends: ranges that are narrowed hold values", "[functions][trend]") {
+  Workspace w;
+  std::mt19937 rng(19);
+  for (const char* body :
+       {"abs(sin(3*x)*cos(3*y) + sin(3*y)*cos(3*z) + sin(3*z)*cos(3*x)) - 0.2",
+        "min(x*y - z, max(x - y*z, sqrt(abs(x*x - y*y))))", "min(sin(x)*cos(x), abs(y - z*z))",
+        "x/(0.1 + x*x - y*z) + abs(y - x)"}) {
+    const auto f = std::make_shared<const Function>(with_waves(parse_function(body)));
+    const BoxTrends trends(f);
+    BoxTrends::Memory memory;
+    Box box = random_box(rng);
+    for (int i = 0; i < 2000; ++i) {
+      const Box other = random_box(rng);
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (rng() % 2 == 0) box[k] = other[k];
+      }
+      const std::array centre{box[0].mid(), box[1].mid(), box[2].mid()};
+      const Trend t = trends(box, centre, w, memory);
+      BoxTrends::Memory fresh;
+      REQUIRE(same_bits(t, trends(box, centre, w, fresh)));
+      const Interval plain = evaluate_trend(*f, box, w).range();
+      CHECK((t.nan() || (t.range().lo >= plain.lo && t.range().hi <= plain.hi)));
+      REQUIRE(escapes(t, box, rng, [&](const auto& p) { return evaluate(*f, p, w); }) == 0);
+    }
   }
 }
