@@ -86,25 +86,29 @@ template <class V>
 }
 
 /// Encloses what std::sin and std::cos, or on_circle(), give for the numbers of a range.
-[[nodiscard]] inline Circle circle_of(const Interval& a) {
+[[nodiscard]] DURER_CIRCLE_INLINE Circle circle_of(const Interval& a) {
   using namespace circle_detail;
+  using namespace ranges_detail;
   const bool nan = a.nan || interval_detail::has_infinity(a);
   if (!(a.hi - a.lo < 2 * std::numbers::pi) || !fits_circle(a.lo) || !fits_circle(a.hi)) {
     return {{-1, 1, nan}, {-1, 1, nan}};
   }
   const PairOnCircle ends = on_circle(DoublePair{a.lo, a.hi});
-  // Quarter turns between the ends; at some of them lie the extremes. Nearly there is there.
+  const DoublePair from{ends.sine[0], ends.cosine[0]};
+  const DoublePair to{ends.sine[1], ends.cosine[1]};
+  const DoublePair lo = greatest(least(from, to) - pad, DoublePair{-1, -1});
+  const DoublePair hi = least(greatest(from, to) + pad, DoublePair{1, 1});
+  // Quarter turns between the ends, one of five at most; at some of them lie the extremes. Nearly
+  // there is there.
   constexpr double hair = 1e-9;
-  const auto first = static_cast<std::int64_t>(ends.quarters[0]) + (ends.rest[0] > hair ? 1 : 0);
-  const auto last = static_cast<std::int64_t>(ends.quarters[1]) - (ends.rest[1] < -hair ? 1 : 0);
-  const auto passes = [&](int quarter) { return first + ((quarter - first) & 3) <= last; };
-  const auto range = [&](DoublePair v, int highest) {
-    const double lo = std::min(v[0], v[1]);
-    const double hi = std::max(v[0], v[1]);
-    return Interval{passes(highest + 2) ? -1 : std::max(lo - pad, -1.0),
-                    passes(highest) ? 1 : std::min(hi + pad, 1.0), nan};
-  };
-  return {range(ends.sine, 1), range(ends.cosine, 0)};
+  const int first = static_cast<int>(ends.quarters[0]) + (ends.rest[0] > hair ? 1 : 0);
+  const int last = static_cast<int>(ends.quarters[1]) - (ends.rest[1] < -hair ? 1 : 0);
+  unsigned passed = (1U << std::max(last - first + 1, 0)) - 1;
+  passed = (passed | passed >> 4) << (static_cast<unsigned>(first) & 3);
+  passed |= passed >> 4;
+  const auto passes = [&](unsigned quarter) { return (passed >> quarter & 1) != 0; };
+  return {{passes(3) ? -1 : lo[0], passes(1) ? 1 : hi[0], nan},
+          {passes(2) ? -1 : lo[1], passes(0) ? 1 : hi[1], nan}};
 }
 [[nodiscard]] inline Interval sin(const Interval& a) {
   return a.is_point() ? Interval(std::sin(a.lo)) : circle_of(a).sine;

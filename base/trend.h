@@ -28,6 +28,15 @@ class Trend {
   /// From ranges of the value and the slopes, of which the first may be replaced.
   Trend(const Ranges& all, bool nan) : all_(all), bounded_(all.is_bounded()), nan_(nan) {}
   Trend(const Ranges& all, const Interval& range) : Trend(all.with_first(range), range.nan) {}
+  /// Takes over ends from vectors of four. `bounded`: all are finite.
+  template <class Quad>
+  __attribute__((always_inline)) void assign(const Quad& lo, const Quad& hi, bool nan,
+                                             bool bounded) {
+    lo.store(reinterpret_cast<double*>(all_.lo));
+    hi.store(reinterpret_cast<double*>(all_.hi));
+    bounded_ = bounded;
+    nan_ = nan;
+  }
   /// The coordinate along `axis`.
   [[nodiscard]] static Trend coordinate(const Interval& range, std::size_t axis) {
     Slopes slopes{};

@@ -8,6 +8,7 @@
 #include "functions/evaluate.h"
 #include "functions/internals.h"
 #include "functions/simd/tape_lanes.h"
+#include "functions/simd/trend_lanes.h"
 
 namespace durer::functions {
 
@@ -82,12 +83,21 @@ inline void sines_and_cosines(const Pack& a, const Pack& b, Pack* out) {
     for (std::size_t k = 0; k < 4; ++k) out[k].v[lane] = c[k];
   }
 }
+inline void sine_and_cosine(const Trend& a, Trend* out) {
+  const Circle c = circle_of(a.range());
+  out[0] = trend_detail::chain(c.sine, c.cosine, a);
+  out[1] = trend_detail::chain(c.cosine, -c.sine, a);
+}
 inline void sines_and_cosines(const Trend& a, const Trend& b, Trend* out) {
-  for (const Trend* angle : {&a, &b}) {
-    const Circle c = circle_of(angle->range());
-    *out++ = trend_detail::chain(c.sine, c.cosine, *angle);
-    *out++ = trend_detail::chain(c.cosine, -c.sine, *angle);
-  }
+  sine_and_cosine(a, out);
+  sine_and_cosine(b, out + 2);
+}
+/// Of one angle: what it gives in company, too.
+template <class T>
+void sine_and_cosine(const T& a, T* out) {
+  T both[4];
+  sines_and_cosines(a, a, both);
+  std::copy_n(both, 2, out);
 }
 
 // ---- what is moved; packs in whole vectors, because they are read so
@@ -116,12 +126,15 @@ class Machine {
     spread_all(f_.constants.data(), f_.constants.size(), r_ + f_.parameters);
   }
   void run() { run(0, static_cast<std::uint32_t>(f_.code.size())); }
-
- private:
+  /// Instructions `begin` … `end` - 1.
   void run(std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t pc = begin; pc < end; ++pc) {
       if constexpr (std::is_same_v<T, Pack>) {
         pc = simd::best_tape_lanes->run(f_, r_, pc, end);
+        if (pc == end) return;
+      }
+      if constexpr (std::is_same_v<T, Trend>) {
+        pc = simd::best_trend_lanes(f_, r_, pc, end);
         if (pc == end) return;
       }
       const Instruction& in = f_.code[pc];
@@ -147,6 +160,7 @@ class Machine {
     }
   }
 
+ private:
   /// Operand `i` of a plain operation; operands beyond the arity alias the first.
   template <int arity, int i>
   const T& operand(const Instruction& in) const {
@@ -199,11 +213,7 @@ class Machine {
     for (; i + 1 < n; i += 2) {
       sines_and_cosines(r_[angle[i]], r_[angle[i + 1]], out + 2 * i);
     }
-    if (i < n) {
-      T both[4];
-      sines_and_cosines(r_[angle[i]], r_[angle[i]], both);
-      std::copy_n(both, 2, out + 2 * i);
-    }
+    if (i < n) sine_and_cosine(r_[angle[i]], out + 2 * i);
   }
 
   std::uint32_t select(const Instruction& in) {

@@ -1,6 +1,7 @@
 #include "tracer/primitives/function_field.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -19,7 +20,9 @@ constexpr double smoothness = 0.7;
 /// The least float that is not below `v`.
 float rounded_up(double v) {
   const auto f = static_cast<float>(v);
-  return static_cast<double>(f) < v ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
+  if (!(static_cast<double>(f) < v)) return f;
+  if (f == 0) return std::numeric_limits<float>::denorm_min();
+  return std::bit_cast<float>(std::bit_cast<std::int32_t>(f) + (f > 0 ? 1 : -1));
 }
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -40,13 +43,6 @@ Spread spread_over(double value, const dvec3& g, const FieldDetail& cell, const 
   const double rounding = 1e-14 * (std::abs(value) + glm::dot(glm::abs(g), glm::abs(q)));
   const double radius = (1 + 1e-8) * glm::dot(glm::abs(g), cell.half) + rounding;
   return {middle - radius, middle + radius};
-}
-
-void delete_halves(const FieldCell& cell) {
-  const FieldLink link = cell.link.load(std::memory_order_relaxed);
-  if (!link.has_halves()) return;
-  for (const FieldCell& half : link.halves().cells) delete_halves(half);
-  delete &link.halves();
 }
 
 /// The axis along which the function and its slope vary most over a cell, as far as is known; else
@@ -72,6 +68,27 @@ int axis_to_halve(const Trend& trend, const dvec3& half) {
 }
 
 }  // namespace
+
+FieldHalves* FieldStore::make() {
+  while (true) {
+    Chunk* const chunk = last_.load(std::memory_order_acquire);
+    if (chunk != nullptr) {
+      const std::size_t i = chunk->used.fetch_add(1, std::memory_order_relaxed);
+      if (i < chunk->size) return new (chunk->places.get() + i) FieldHalves;
+    }
+    add_chunk(chunk);
+  }
+}
+
+/// Unless somebody else has.
+void FieldStore::add_chunk(const Chunk* full) {
+  const std::lock_guard guard(adding_);
+  if (last_.load(std::memory_order_relaxed) != full) return;
+  constexpr std::size_t most = 4096;
+  const std::size_t size = full == nullptr ? 16 : std::min(2 * full->size, most);
+  chunks_.push_back(std::make_unique<Chunk>(size));
+  last_.store(chunks_.back().get(), std::memory_order_release);
+}
 
 bool can_be_bounded(const functions::Function& f) {
   for (const functions::External& e : f.externals) {
@@ -102,11 +119,9 @@ FunctionField::FunctionField(functions::FunctionRef function, double threshold, 
   examine(root_, root_detail_, function_workspace(generator_));
 }
 
-FunctionField::~FunctionField() { delete_halves(root_); }
-
 FieldLink FunctionField::split(const FieldCell& cell, FieldLink link, std::size_t next) const {
   functions::Workspace& workspace = function_workspace(generator_);
-  auto made = std::make_unique<FieldHalves>();
+  FieldHalves* const made = store_.make();
   const FieldDetail& parent = link.detail();
   const int k = link.axis();
   made->plane = parent.centre[k];
@@ -132,14 +147,13 @@ FieldLink FunctionField::split(const FieldCell& cell, FieldLink link, std::size_
     }
   }
   const FieldLink halved(link.state() == State::smooth ? State::refined : State::vague, k,
-                         made.get());
+                         made);
   if (cell.link.compare_exchange_strong(link, halved, std::memory_order_acq_rel)) {
-    made.release();
     for (const FieldDetail* d = &parent; d != nullptr && tighten(*d); d = d->parent) {
     }
     return halved;
   }
-  return link;  // another thread was faster; its cells are the same
+  return link;  // another thread was faster; its cells are the same, and these are left over
 }
 
 /// Draws the bounds of a halved cell together by those of its halves. False if there was next to
@@ -197,8 +211,8 @@ void FunctionField::examine(FieldCell& cell, FieldDetail& detail,
   const auto set = [&](State state, int axis = 0) {
     cell.link.store({state, axis, &detail}, std::memory_order_relaxed);
   };
-  thread_local functions::BoxTrends::Memory memory;
-  const Trend trend = (*trends_)(box, workspace, memory);
+  static thread_local functions::BoxTrends::Memory memory;
+  const Trend trend = (*trends_)(box, {c.x, c.y, c.z}, workspace, memory);
   const Interval range = trend.range();
   if (!range.nan) {
     if (range.hi <= threshold_) return set(State::inside);
@@ -228,8 +242,7 @@ void FunctionField::examine(FieldCell& cell, FieldDetail& detail,
   cell.above = std::numeric_limits<float>::infinity();
   cell.below = -std::numeric_limits<float>::infinity();
   if (!known) return;
-  const double value =
-      functions::evaluate(*detail.tape, std::array{c.x, c.y, c.z}, workspace) - threshold_;
+  const double value = (*trends_)(std::array{c.x, c.y, c.z}, workspace, memory) - threshold_;
   const dvec3 from_centre = c - centre();
   const double at_centre = value - glm::dot(slope, from_centre);
   cell.value = static_cast<float>(at_centre);

@@ -5,8 +5,11 @@
 
 #include <array>
 #include <atomic>
+#include <cstddef>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <vector>
 
 #include "base/bounds.h"
 #include "functions/box_trends.h"
@@ -105,13 +108,39 @@ struct FieldHalves {
   [[nodiscard]] const FieldDetail& whole() const { return *details[0].parent; }
 };
 
+/// Memory of all cells of a field, which live as long as it does.
+class FieldStore {
+ public:
+  /// For any thread at any time.
+  [[nodiscard]] FieldHalves* make();
+
+ private:
+  /// Places in which pairs are made one after the other; nothing of them has to be destroyed.
+  struct Chunk {
+    struct alignas(FieldHalves) Place {
+      std::byte bytes[sizeof(FieldHalves)];
+    };
+    explicit Chunk(std::size_t n) : size(n), places(new Place[n]) {}
+
+    std::size_t size;
+    std::unique_ptr<Place[]> places;
+    std::atomic<std::size_t> used{0};  // or more, where several came too late
+  };
+  static_assert(std::is_trivially_destructible_v<FieldHalves>);
+  void add_chunk(const Chunk* full);
+
+  std::atomic<Chunk*> last_{nullptr};
+  std::mutex adding_;
+  std::vector<std::unique_ptr<Chunk>> chunks_;
+};
+
 /// A function g(x, y, z) = f - threshold in a box. Cells depend on the function alone, not on who
 /// asks first, so pictures do not depend on it either.
 class FunctionField {
  public:
   FunctionField(functions::FunctionRef function, double threshold, const Bounds3& box,
                 functions::NoiseGenerator generator);
-  ~FunctionField();
+  ~FunctionField() = default;
   FunctionField(const FunctionField&) = delete;
   FunctionField& operator=(const FunctionField&) = delete;
 
@@ -141,6 +170,7 @@ class FunctionField {
   Bounds3 box_;
   functions::NoiseGenerator generator_;
   bool has_bounds_ = true;
+  mutable FieldStore store_;
   FieldCell root_;
   FieldDetail root_detail_;
 };

@@ -4,6 +4,7 @@
 #include "functions/box_trends.h"
 #include "functions/evaluate.h"
 #include "functions/internals.h"
+#include "functions/simd/trend_lanes.h"
 #include "functions/waves.h"
 #include "tests/support/catch.h"
 #include "tests/unit/functions/parse_function.h"
@@ -258,12 +259,134 @@ TEST_CASE("box trends: what is remembered of the last box changes no bit", "[fun
       if (rng() % 2 == 0) box[k] = fresh[k];
     }
     const std::size_t which = rng() % 4 == 0 ? 1 : 0;
-    const Trend t = (which == 0 ? first : second)(box, w, memory);
+    const std::array centre{box[0].mid(), box[1].mid(), box[2].mid()};
+    const Trend t = (which == 0 ? first : second)(box, centre, w, memory);
     const Trend expected = evaluate_trend(*functions[which], box, w);
     const auto same = [](const Interval& a, const Interval& b) {
       return a.lo == b.lo && a.hi == b.hi && a.nan == b.nan;
     };
     REQUIRE(same(t.range(), expected.range()));
     for (std::size_t k = 0; k < 3; ++k) REQUIRE(same(t.slope(k), expected.slope(k)));
+  }
+}
+
+namespace {
+
+bool same_bits(const Interval& a, const Interval& b) {
+  return a.lo == b.lo && a.hi == b.hi && a.nan == b.nan;
+}
+bool same_bits(const Trend& a, const Trend& b) {
+  bool same = same_bits(a.range(), b.range()) && a.is_bounded() == b.is_bounded();
+  for (std::size_t k = 0; k < 3; ++k) same = same && same_bits(a.slope(k), b.slope(k));
+  return same;
+}
+/// Of any size, round zero or beside it; now and then a point, infinite or not a number.
+Trend random_trend(std::mt19937& rng) {
+  std::uniform_real_distribution<double> u(-1, 1);
+  const auto range = [&] {
+    const double middle = std::exp(6 * u(rng)) * u(rng);
+    const double radius = rng() % 4 == 0 ? 0 : std::exp(6 * u(rng));
+    Interval r{middle - radius, middle + radius};
+    if (rng() % 50 == 0) r.hi = std::numeric_limits<double>::infinity();
+    if (rng() % 50 == 0) r.lo = -std::numeric_limits<double>::max();
+    return r;
+  };
+  Interval value = range();
+  value.nan = rng() % 20 == 0;
+  return {value, Trend::Slopes{range(), range(), range()}};
+}
+Trend plainly(Op op, const Trend& a, const Trend& b) {
+  switch (op) {
+    case Op::negate: return -a;
+    case Op::square: return sqr(a);
+    case Op::absolute: return abs(a);
+    case Op::add: return a + b;
+    case Op::subtract: return a - b;
+    case Op::multiply: return a * b;
+    case Op::minimum: return min(a, b);
+    default: return max(a, b);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("trend lanes: the bits of plain trends on every instruction set", "[functions][trend]") {
+  std::mt19937 rng(17);
+  for (const simd::TrendLanes lanes : simd::all_trend_lanes()) {
+    for (const Op op : {Op::negate, Op::square, Op::absolute, Op::add, Op::subtract, Op::multiply,
+                        Op::minimum, Op::maximum, Op::divide}) {
+      Function f;
+      f.code = {{op, 0, 2, 0, 1}};
+      int done = 0;
+      for (int i = 0; i < 2000; ++i) {
+        std::array<Trend, 3> r{random_trend(rng), random_trend(rng), Trend()};
+        const Trend expected = plainly(op, r[0], r[1]);
+        if (lanes(f, r.data(), 0, 1) == 0) continue;  // left to plain trends
+        ++done;
+        REQUIRE(same_bits(r[2], expected));
+      }
+      CHECK((op == Op::divide ? done == 0 : done > 1000));
+    }
+    Function f;
+    f.operands = {0, 1};
+    f.code = {{Op::waves, 4, 2, 0, 0}};
+    int done = 0;
+    for (int i = 0; i < 2000; ++i) {
+      std::array<Trend, 6> r{random_trend(rng), random_trend(rng)};
+      if (lanes(f, r.data(), 0, 1) == 0) continue;
+      ++done;
+      for (std::size_t k = 0; k < 2; ++k) {
+        REQUIRE(same_bits(r[2 + 2 * k], sin(r[k])));
+        REQUIRE(same_bits(r[3 + 2 * k], cos(r[k])));
+      }
+    }
+    CHECK(done > 1000);
+  }
+}
+
+TEST_CASE("box trends: what is remembered of the last point changes no bit", "[functions][trend]") {
+  Workspace w;
+  std::mt19937 rng(18);
+  std::uniform_real_distribution<double> u(-3, 3);
+  const auto f = std::make_shared<const Function>(
+      with_waves(parse_function("sin(3*x)*cos(y) + f_noise3d(x, 0, z) - cos(1e7*z)*sin(y + z)")));
+  const BoxTrends trends(f);
+  BoxTrends::Memory memory;
+  std::array<double, 3> p{};
+  for (int i = 0; i < 500; ++i) {
+    for (double& c : p) {
+      if (rng() % 2 == 0) c = u(rng);
+    }
+    const double value = trends(p, w, memory);
+    BoxTrends::Memory fresh;
+    REQUIRE(value == trends(p, w, fresh));
+    CHECK(value == Approx(evaluate(*f, p, w)).margin(1e-12));
+  }
+}
+
+TEST_CASE("box trends: ranges that are narrowed hold values", "[functions][trend]") {
+  Workspace w;
+  std::mt19937 rng(19);
+  for (const char* body :
+       {"abs(sin(3*x)*cos(3*y) + sin(3*y)*cos(3*z) + sin(3*z)*cos(3*x)) - 0.2",
+        "min(x*y - z, max(x - y*z, sqrt(abs(x*x - y*y))))", "min(sin(x)*cos(x), abs(y - z*z))",
+        "x/(0.1 + x*x - y*z) + abs(y - x)"}) {
+    const auto f = std::make_shared<const Function>(with_waves(parse_function(body)));
+    const BoxTrends trends(f);
+    BoxTrends::Memory memory;
+    Box box = random_box(rng);
+    for (int i = 0; i < 2000; ++i) {
+      const Box other = random_box(rng);
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (rng() % 2 == 0) box[k] = other[k];
+      }
+      const std::array centre{box[0].mid(), box[1].mid(), box[2].mid()};
+      const Trend t = trends(box, centre, w, memory);
+      BoxTrends::Memory fresh;
+      REQUIRE(same_bits(t, trends(box, centre, w, fresh)));
+      const Interval plain = evaluate_trend(*f, box, w).range();
+      CHECK((t.nan() || (t.range().lo >= plain.lo && t.range().hi <= plain.hi)));
+      REQUIRE(escapes(t, box, rng, [&](const auto& p) { return evaluate(*f, p, w); }) == 0);
+    }
   }
 }
