@@ -90,13 +90,17 @@ auto FieldWalk<Instructions>::spread_in(const FieldDetail& cell) const -> Floats
   const auto part = [&](std::size_t k) DURER_LAMBDA_INLINE {
     return abs(load(packet_.short_d_[k])) * Floats::all(cell.spread[k]);
   };
-  return (part(0) + part(1) + part(2)) * Floats::all(1 + 2e-6F);
+  return (part(0) + part(1) + part(2)) * Floats::all(1 + 1e-6F);
 }
 
 template <class Instructions>
 void FieldWalk<Instructions>::run() {
   for (std::size_t first = 0; first < FieldPacket::size; first += group) start(first);
   packet_.open_ &= (Mask{1} << packet_.rays_.size()) - 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Floats inverse = Floats::all(1) / load(packet_.short_d_[k]);
+    most(least(inverse, Floats::all(1e30F)), Floats::all(-1e30F)).store(packet_.inverse_[k].data());
+  }
   while (packet_.open_ != 0) {
     const Mask together = alike(packet_.open_);
     walk(together);
@@ -128,9 +132,6 @@ void FieldWalk<Instructions>::start(std::size_t first) {
     p.store(&packet_.p_[k][first]);
     (p - Doubles::all(centre[static_cast<int>(k)])).narrowed(&packet_.short_p_[k][first]);
     d.narrowed(&packet_.short_d_[k][first]);
-    const Doubles inverse = Doubles::all(1) / d;
-    most(least(inverse, Doubles::all(1e30)), Doubles::all(-1e30))
-        .narrowed(&packet_.inverse_[k][first]);
     steps = steps + abs(d);
   }
   const Doubles size = Doubles::all(glm::length(field_.half())) / steps;
@@ -148,10 +149,12 @@ auto FieldWalk<Instructions>::meet_box(std::size_t first) -> Mask {
   Doubles leave = Doubles::all(std::numeric_limits<double>::infinity());
   for (std::size_t k = 0; k < 3; ++k) {
     const Doubles o = Doubles::load(&packet_.p_[k][first]);
-    const Doubles d = Doubles::load(&packet_.d_[k][first]);
+    const Doubles d = Doubles::load(&packet_.d_[k][first]) + Doubles::all(0);  // no zero below zero
     const Doubles a = (Doubles::all(c.lo[static_cast<int>(k)]) - o) / d;
     const Doubles b = (Doubles::all(c.hi[static_cast<int>(k)]) - o) / d;
-    const Doubles near = least(a, b);
+    // Of a line within a face, one of them is not a number: that one goes first here, and then in
+    // the comparisons below, where it changes nothing.
+    const Doubles near = least(b, a);
     const Doubles far = most(a, b);
     near.store(&packet_.near_[k][first]);
     far.store(&packet_.far_[k][first]);

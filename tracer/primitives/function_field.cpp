@@ -25,6 +25,15 @@ float rounded_up(double v) {
   return std::bit_cast<float>(std::bit_cast<std::int32_t>(f) + (f > 0 ? 1 : -1));
 }
 
+/// A dozen steps of single precision: what sums of a few products may be off by.
+constexpr double short_rounding = 12 * 0x1p-24;
+
+/// See FunctionField::hair_.
+dvec3 hair_around(const Bounds3& box) {
+  const dvec3 farthest = glm::max(glm::abs(box.lo), glm::abs(box.hi));
+  return 1e-6 * (box.hi - box.lo) + 1e-13 * (farthest.x + farthest.y + farthest.z);
+}
+
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 double load(const std::atomic<float>& v) {
@@ -37,11 +46,12 @@ dvec3 to_dvec3(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 struct Spread {
   double lo, hi;
 };
-Spread spread_over(double value, const dvec3& g, const FieldDetail& cell, const dvec3& centre) {
+Spread spread_over(double value, const dvec3& g, const FieldDetail& cell, const dvec3& centre,
+                   const dvec3& hair) {
   const dvec3 q = cell.centre - centre;
   const double middle = value + glm::dot(g, q);
   const double rounding = 1e-14 * (std::abs(value) + glm::dot(glm::abs(g), glm::abs(q)));
-  const double radius = (1 + 1e-8) * glm::dot(glm::abs(g), cell.half) + rounding;
+  const double radius = (1 + 1e-8) * glm::dot(glm::abs(g), cell.half + hair) + rounding;
   return {middle - radius, middle + radius};
 }
 
@@ -110,6 +120,7 @@ FunctionField::FunctionField(functions::FunctionRef function, double threshold, 
       threshold_(threshold),
       box_(box),
       generator_(generator),
+      hair_(hair_around(box)),
       has_bounds_(can_be_bounded(*function_)) {
   if (!has_bounds_) return;
   trends_.emplace(function_);
@@ -137,7 +148,7 @@ FieldLink FunctionField::split(const FieldCell& cell, FieldLink link, std::size_
     FieldCell& half = made->cells[i];
     // What is known of the whole may do.
     const Spread m =
-        spread_over(static_cast<double>(cell.value), to_dvec3(cell.slope), part, centre());
+        spread_over(static_cast<double>(cell.value), to_dvec3(cell.slope), part, centre(), hair_);
     if (m.lo > bound) {
       half.link = FieldLink(State::outside, 0, &part);
     } else if (m.hi < -bound) {
@@ -171,11 +182,11 @@ bool FunctionField::tighten(const FieldDetail& detail) const {
     const FieldCell& half = link.halves().cells[i];
     const FieldDetail& part = link.halves().details[i];
     const State state = half.link.load(std::memory_order_acquire).state();
-    const Spread m = spread_over(value, slope, part, centre());
+    const Spread m = spread_over(value, slope, part, centre(), hair_);
     Spread lead = m;  // of m where the half leaves the sign open
     if (state > State::outside) {
       const Spread ahead = spread_over(value - static_cast<double>(half.value),
-                                       slope - to_dvec3(half.slope), part, centre());
+                                       slope - to_dvec3(half.slope), part, centre(), hair_);
       lead.hi = std::min(m.hi, ahead.hi + load(half.above));
       lead.lo = std::max(m.lo, ahead.lo + load(half.below));
     }
@@ -189,7 +200,7 @@ bool FunctionField::tighten(const FieldDetail& detail) const {
   if (!(old_above - above + below - old_below > 0.01 * (old_above - old_below))) return false;
   cell.above.store(rounded_up(above), std::memory_order_relaxed);
   cell.below.store(-rounded_up(-below), std::memory_order_relaxed);
-  const Spread m = spread_over(value, slope, detail, centre());
+  const Spread m = spread_over(value, slope, detail, centre(), hair_);
   if (m.hi <= above && m.lo >= below) return false;
   if (link.state() == State::vague) {
     cell.link.store({State::halved, link.axis(), &link.halves()}, std::memory_order_release);
@@ -202,9 +213,7 @@ void FunctionField::examine(FieldCell& cell, FieldDetail& detail,
                             functions::Workspace& workspace) const {
   const dvec3& c = detail.centre;
   detail.cell = &cell;
-  // A hair wider, because the ray's points are rounded.
-  const dvec3 farthest = glm::max(glm::abs(box_.lo), glm::abs(box_.hi));
-  const dvec3 reach = detail.half * (1 + 1e-9) + 1e-13 * (farthest.x + farthest.y + farthest.z);
+  const dvec3 reach = detail.half + hair_;
   const std::array<Interval, 3> box{Interval{c.x - reach.x, c.x + reach.x},
                                     Interval{c.y - reach.y, c.y + reach.y},
                                     Interval{c.z - reach.z, c.z + reach.z}};
@@ -228,7 +237,8 @@ void FunctionField::examine(FieldCell& cell, FieldDetail& detail,
     if (!known) break;
     cell.slope[i] = static_cast<float>(d.mid());
     slope[k] = static_cast<double>(cell.slope[i]);
-    detail.spread[i] = rounded_up(std::max(d.hi - slope[k], slope[k] - d.lo));
+    detail.spread[i] = rounded_up(std::max(d.hi - slope[k], slope[k] - d.lo) +
+                                  short_rounding * std::abs(slope[k]));
     spread[k] = static_cast<double>(detail.spread[i]);
   }
   const double steepness = glm::dot(slope, slope);
@@ -246,9 +256,10 @@ void FunctionField::examine(FieldCell& cell, FieldDetail& detail,
   const dvec3 from_centre = c - centre();
   const double at_centre = value - glm::dot(slope, from_centre);
   cell.value = static_cast<float>(at_centre);
-  const double rounding = std::abs(at_centre - static_cast<double>(cell.value)) +
-                          1e-9 * std::abs(value) +
-                          1e-15 * glm::dot(glm::abs(slope), glm::abs(from_centre));
+  // Lines are followed in single precision as well, from one end of the box to the other.
+  const double rounding =
+      std::abs(at_centre - static_cast<double>(cell.value)) +
+      short_rounding * (std::abs(at_centre) + 2 * glm::dot(glm::abs(slope), half()));
   cell.above = rounded_up(rounding + glm::dot(spread, reach));
   cell.below = -cell.above;
   // The linear bounds may settle what the range could not.

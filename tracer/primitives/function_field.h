@@ -169,6 +169,7 @@ class FunctionField {
   double threshold_;
   Bounds3 box_;
   functions::NoiseGenerator generator_;
+  dvec3 hair_;  // by how much points on lines may lie outside of their cells, for rounding
   bool has_bounds_ = true;
   mutable FieldStore store_;
   FieldCell root_;
