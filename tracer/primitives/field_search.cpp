@@ -147,10 +147,7 @@ FieldSearch::Band FieldSearch::clip(const Line& line, double t0, double t1) {
 
 /// Looks for changes of sign in the part t0 … t1 of the line, which lies in the cell.
 void FieldSearch::examine(const FieldDetail& cell, const Line& line, double t0, double t1) {
-  if (tape_ != cell.tape) {
-    tape_ = cell.tape;
-    evaluator_.emplace(*tape_, workspace_);
-  }
+  follow(*cell.tape);
   const Band band = clip(line, t0, t1);
   if (band.empty) return;
   const double begin = band.begin;
