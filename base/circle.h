@@ -78,11 +78,10 @@ template <class V>
   const Bits s = Bits(r * series(odd, z));
   const Bits c = Bits(series(even, z));
   const Bits quarter = Bits(shifted);
-  const Bits odd_quarter = -(quarter & 1);
-  const Bits sine_sign = (quarter & 2) << 62;
-  const Bits cosine_sign = ((quarter + 1) & 2) << 62;
-  return {V(((c & odd_quarter) | (s & ~odd_quarter)) ^ sine_sign),
-          V(((s & odd_quarter) | (c & ~odd_quarter)) ^ cosine_sign), k, r};
+  const Bits swapped = (s ^ c) & -(quarter & 1);
+  const Bits sine_sign = (quarter << 62) & INT64_MIN;
+  const Bits cosine_sign = ((quarter + 1) << 62) & INT64_MIN;
+  return {V(s ^ swapped ^ sine_sign), V(c ^ swapped ^ cosine_sign), k, r};
 }
 
 /// Encloses what std::sin and std::cos, or on_circle(), give for the numbers of a range.
