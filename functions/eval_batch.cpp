@@ -26,12 +26,13 @@ void evaluate_batch(const Function& f, std::span<const double* const> arguments,
     const std::size_t lanes = std::min<std::size_t>(Pack::lanes, n - first);
     for (std::size_t i = 0; i < arguments.size(); ++i) {
       const double* from = arguments[i] + first;
-      for (std::size_t lane = 0; lane < Pack::lanes; ++lane) {
-        packs[i].v[lane] = from[std::min(lane, lanes - 1)];  // idle lanes repeat the last
+      if (lanes == Pack::lanes) {
+        simd::best_tape_lanes->copy(from, 1, &packs[i]);
+      } else {  // idle lanes repeat the last
+        std::fill(std::copy_n(from, lanes, packs[i].v.begin()), packs[i].v.end(), from[lanes - 1]);
       }
     }
-    evaluator(packs);
-    std::copy_n(evaluator.component(0).v.begin(), lanes, out + first);
+    std::copy_n(evaluator.in_place(packs).v.begin(), lanes, out + first);
   }
   w.batches.pop_to(mark);
 }

@@ -78,6 +78,8 @@ class Evaluator {
 
   /// The first component at `arguments`, as many as the function has parameters.
   T operator()(std::span<const T> arguments);
+  /// The same where it is, until the next evaluation.
+  const T& in_place(std::span<const T> arguments);
   /// Component `i` of the last evaluation.
   [[nodiscard]] const T& component(int i) const;
 

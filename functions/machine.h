@@ -100,20 +100,37 @@ void sine_and_cosine(const T& a, T* out) {
   std::copy_n(both, 2, out);
 }
 
+// ---- what is moved; packs in whole vectors, because they are read so
+// ----------------------------------------------------------------------
+template <class T>
+void copy_all(const T* from, std::size_t n, T* to) {
+  std::copy_n(from, n, to);
+}
+inline void copy_all(const Pack* from, std::size_t n, Pack* to) {
+  simd::best_tape_lanes->copy(from->v.data(), n, to);
+}
+template <class T>
+void spread_all(const double* from, std::size_t n, T* to) {
+  std::copy_n(from, n, to);
+}
+inline void spread_all(const double* from, std::size_t n, Pack* to) {
+  simd::best_tape_lanes->spread(from, n, to);
+}
+
 /// Executes one tape on one frame of registers.
 template <class T>
 class Machine {
  public:
   Machine(const Function& f, T* registers, Workspace& w) : f_(f), r_(registers), w_(w) {}
   void load_constants() {
-    for (std::size_t i = 0; i < f_.constants.size(); ++i) r_[f_.parameters + i] = f_.constants[i];
+    spread_all(f_.constants.data(), f_.constants.size(), r_ + f_.parameters);
   }
   void run() { run(0, static_cast<std::uint32_t>(f_.code.size())); }
   /// Instructions `begin` … `end` - 1.
   void run(std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t pc = begin; pc < end; ++pc) {
       if constexpr (std::is_same_v<T, Pack>) {
-        pc = simd::best_tape_lanes(f_, r_, pc, end);
+        pc = simd::best_tape_lanes->run(f_, r_, pc, end);
         if (pc == end) return;
       }
       if constexpr (std::is_same_v<T, Trend>) {
@@ -272,11 +289,21 @@ Evaluator<T>::~Evaluator() {
   frames(w_, T()).pop_to(mark_);
 }
 template <class T>
-T Evaluator<T>::operator()(std::span<const T> arguments) {
+const T& Evaluator<T>::in_place(std::span<const T> arguments) {
   assert(arguments.size() == f_.parameters);
-  std::copy(arguments.begin(), arguments.end(), frame_);
+  copy_all(arguments.data(), arguments.size(), frame_);
   Machine<T>(f_, frame_, w_).run();
   return frame_[f_.results[0]];
+}
+template <class T>
+T Evaluator<T>::operator()(std::span<const T> arguments) {
+  if constexpr (std::is_same_v<T, Pack>) {
+    T result;
+    copy_all(&in_place(arguments), 1, &result);
+    return result;
+  } else {
+    return in_place(arguments);
+  }
 }
 template <class T>
 const T& Evaluator<T>::component(int i) const {

@@ -103,10 +103,37 @@ class Runner {
   Pack* r_;
 };
 
-#define DURER_TAPE_LANES(name, V, target)                                              \
-  target std::uint32_t name(const Function& f, Pack* registers, std::uint32_t pc,      \
-                            std::uint32_t end) {                                       \
-    return Runner<V>(f, registers).run(f.code.data(), pc, end);                        \
+template <class V>
+DURER_INLINE void copy_numbers(const double* from, std::size_t n, Pack* to) {
+  for (std::size_t i = 0; i < n; ++i) {
+    for (int k = 0; k < Pack::lanes; k += Lanes<V>::count, from += Lanes<V>::count) {
+      Lanes<V>::load(from).store(to[i].v.data() + k);
+    }
+  }
+}
+template <class V>
+DURER_INLINE void spread_numbers(const double* from, std::size_t n, Pack* to) {
+  for (std::size_t i = 0; i < n; ++i) {
+    for (int k = 0; k < Pack::lanes; k += Lanes<V>::count) {
+      Lanes<V>(from[i]).store(to[i].v.data() + k);
+    }
+  }
+}
+
+// One set of entry points: `target` is the attribute of each, `V` a register.
+#define DURER_TAPE_LANES(name, V, target)                                                      \
+  namespace name {                                                                             \
+  target std::uint32_t run(const Function& f, Pack* registers, std::uint32_t pc,               \
+                           std::uint32_t end) {                                                \
+    return Runner<V>(f, registers).run(f.code.data(), pc, end);                                \
+  }                                                                                            \
+  target void copy(const double* from, std::size_t n, Pack* to) {                              \
+    copy_numbers<V>(from, n, to);                                                              \
+  }                                                                                            \
+  target void spread(const double* from, std::size_t n, Pack* to) {                            \
+    spread_numbers<V>(from, n, to);                                                            \
+  }                                                                                            \
+  constexpr TapeLanes table{run, copy, spread};                                                \
   }
 DURER_TAPE_LANES(baseline, Double2, )
 #ifdef __x86_64__
@@ -122,18 +149,18 @@ bool has_avx512() {
 
 }  // namespace
 
-std::vector<TapeLanes> all_tape_lanes() {
-  std::vector<TapeLanes> all{baseline};
+std::vector<const TapeLanes*> all_tape_lanes() {
+  std::vector<const TapeLanes*> all{&baseline::table};
 #ifdef __x86_64__
-  if (__builtin_cpu_supports("avx2") != 0) all.push_back(avx2);
-  if (has_avx512()) all.push_back(avx512);
+  if (__builtin_cpu_supports("avx2") != 0) all.push_back(&avx2::table);
+  if (has_avx512()) all.push_back(&avx512::table);
 #endif
   return all;
 }
 
 // Not a function-local static, whose guard would be asked at every call. Whoever asks before the
 // second line has run gets the baseline, which gives the same bits.
-constinit TapeLanes best_tape_lanes = baseline;
+constinit const TapeLanes* best_tape_lanes = &baseline::table;
 
 namespace {
 

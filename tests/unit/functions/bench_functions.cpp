@@ -192,9 +192,9 @@ void measure_lanes(const std::string& body, const Points& points) {
   for (std::size_t i = 0; i < n; ++i) {
     for (int k = 0; k < 3; ++k) packs[i / Pack::lanes][k].v[i % Pack::lanes] = points.p[i][k];
   }
-  const simd::TapeLanes best = simd::best_tape_lanes;
+  const simd::TapeLanes* best = simd::best_tape_lanes;
   int set = 0;
-  for (const simd::TapeLanes lanes : simd::all_tape_lanes()) {
+  for (const simd::TapeLanes* lanes : simd::all_tape_lanes()) {
     simd::best_tape_lanes = lanes;
     measure((body.substr(0, 30) + "  set " + std::to_string(set++)).c_str(), [&] {
       double sum = 0;
