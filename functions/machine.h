@@ -297,9 +297,13 @@ const T& Evaluator<T>::in_place(std::span<const T> arguments) {
 }
 template <class T>
 T Evaluator<T>::operator()(std::span<const T> arguments) {
-  T result;
-  copy_all(&in_place(arguments), 1, &result);
-  return result;
+  if constexpr (std::is_same_v<T, Pack>) {
+    T result;
+    copy_all(&in_place(arguments), 1, &result);
+    return result;
+  } else {
+    return in_place(arguments);
+  }
 }
 template <class T>
 const T& Evaluator<T>::component(int i) const {

@@ -14,9 +14,6 @@ namespace {
 using functions::Function;
 using State = FieldLink::State;
 
-/// Slopes are known well if they vary by less than this share of the gradient.
-constexpr double smoothness = 0.7;
-
 /// The least float that is not below `v`.
 float rounded_up(double v) {
   const auto f = static_cast<float>(v);
