@@ -79,7 +79,7 @@ void FieldSearch::walk(double t0, double t1) {
     const FieldCell* cell;
     double end;
   };
-  std::array<Visit, grazing_depth + 1> later;  // cells that the line has yet to pass
+  std::array<Visit, std::max(field_depth, grazing_depth) + 1> later;  // cells that the line has yet to pass
   std::size_t waiting = 0;
   Visit now{&field_.root(), t1};
   dvec3 inverse;

@@ -1,5 +1,6 @@
 #include "tracer/primitives/field_walk.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -208,7 +209,7 @@ auto FieldWalk<Instructions>::alike(Mask lanes) const -> Mask {
 
 template <class Instructions>
 void FieldWalk<Instructions>::walk(Mask lanes) {
-  std::array<Later, grazing_depth + 2> later;
+  std::array<Later, std::max(field_depth, grazing_depth) + 2> later;
   std::size_t waiting = 0;
   const auto any = static_cast<std::size_t>(std::countr_zero(lanes));
   const std::array<std::size_t, 3> nearer{packet_.inverse_[0][any] < 0 ? 1U : 0U,

@@ -30,7 +30,7 @@ struct FieldHalves;
 // How far searches are spared by making cells.
 /// Slopes are known well if they vary by less than this share of the gradient: then a cell needs no
 /// halves. Anything from 0.35 to 0.9 takes the same time.
-inline constexpr double smoothness = 0.5;
+inline constexpr double smoothness = 0.7;
 /// Greatest number of halvings above a cell: 256 cells along each edge of the box …
 inline constexpr int field_depth = 24;
 /// … and above cells for lines that graze the surface.
