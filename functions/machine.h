@@ -292,6 +292,10 @@ template <class T>
 const T& Evaluator<T>::in_place(std::span<const T> arguments) {
   assert(arguments.size() == f_.parameters);
   copy_all(arguments.data(), arguments.size(), frame_);
+  return in_place();
+}
+template <class T>
+const T& Evaluator<T>::in_place() {
   Machine<T>(f_, frame_, w_).run();
   return frame_[f_.results[0]];
 }

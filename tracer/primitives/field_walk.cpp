@@ -424,13 +424,12 @@ void FieldWalk<Instructions>::settle(std::size_t first, Mask lanes, Doubles v) {
 /// Values of the function, less the threshold, at `u` on a group of lines.
 template <class Instructions>
 auto FieldWalk<Instructions>::values(std::size_t first, Doubles u) -> Doubles {
-  std::array<functions::Pack, 3> places;
+  functions::Pack* const places = evaluator_.arguments();
   for (std::size_t k = 0; k < 3; ++k) {
     const Doubles p = Doubles::load(&packet_.p_[k][first]);
     (p + Doubles::load(&packet_.d_[k][first]) * u).store(places[k].v.data());
   }
-  const functions::Pack g = evaluator_(places);
-  return Doubles::load(g.v.data()) - Doubles::all(field_.threshold());
+  return Doubles::load(evaluator_.in_place().v.data()) - Doubles::all(field_.threshold());
 }
 
 template <class Instructions>
