@@ -53,6 +53,14 @@ bool is_opaque(const CompiledScene& scene, const SurfaceProgram& surface, bool o
   return opaque(surface.outside) && opaque(surface.inside);
 }
 
+bool is_bare(const CompiledScene& scene, const SurfaceProgram& surface) {
+  const auto uses_uv = [&](ProgramId id) {
+    return id == program_of_placement || scene.textures.program(id).uses_uv;
+  };
+  return !surface.has_parts && !surface.cutaway && !surface.uv_mapping &&
+         !uses_uv(surface.outside) && !uses_uv(surface.inside);
+}
+
 void compile_surfaces(CompiledScene& out) {
   std::vector<bool> opaque_parts;
   for (const Surface& s : out.geometry.surfaces()) {
@@ -76,6 +84,7 @@ void compile_surfaces(CompiledScene& out) {
         all_opaque = all_opaque && out.textures.program(part).opaque;
       }
     }
+    program.bare = is_bare(out, program);
     out.surfaces.push_back(program);
     opaque_parts.push_back(all_opaque);
   }

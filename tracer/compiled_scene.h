@@ -25,6 +25,8 @@ struct SurfaceProgram {
   ProgramId outside = 0;
   ProgramId inside = 0;  // for hits from within
   bool double_illuminate = false;
+  /// Where it is not in shared contents, its textures are what is seen, at the point itself.
+  bool bare = false;
   std::uint32_t lamps = 0;  // index into Geometry::lamp_sets()
   bool uv_mapping = false;  // all textures are looked up at (u, v, 0)
   bool has_parts = false;   // single parts of the surface have textures of their own:

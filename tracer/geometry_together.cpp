@@ -32,9 +32,14 @@ void ask(const PutOff::Object& object, Packet<RayQuery>& queries) {
   }
 }
 
-void ask_put_off(GeometryScratch& scratch) {
+/// Of `count` rays.
+void ask_put_off(const Accel& accel, std::size_t count, GeometryScratch& scratch) {
   const PutOff& list = scratch.put_off;
   for (std::uint32_t i = 0; i < list.count; ++i) ask(list.objects[i], scratch.queries);
+  const auto [targets, index] = accel.companion();
+  if (targets == nullptr) return;
+  if ((targets->tags[index].mask & scratch.queries[0].mask) == 0) return;
+  ask({targets, index, (2U << (count - 1)) - 1}, scratch.queries);
 }
 
 }  // namespace
@@ -50,20 +55,21 @@ void ask_now(RayQuery& query) {
 }
 
 void Geometry::closest(std::span<MeetingRay> rays, RayKind kind, GeometryScratch& scratch) const {
-  if (!state_->answers_together || rays.size() == 1) {
+  if (!state_->answers_together || rays.size() <= 1) {
     for (MeetingRay& r : rays) r.met = closest(*r.ray, r.t_from, r.t_to, kind, r.hit, scratch);
     return;
   }
   scratch.put_off.count = 0;
+  const bool others = !state_->accel->companion_only();
   for (std::uint32_t i = 0; i < rays.size(); ++i) {
     const MeetingRay& r = rays[i];
     RayQuery& query = *::new (&scratch.queries[i])
                           RayQuery(state_->query(*r.ray, r.t_from, r.t_to, kind, scratch));
     query.later = &scratch.put_off;
     scratch.put_off.begin(i);
-    state_->accel->closest(query);
+    if (others) state_->accel->closest(query);
   }
-  ask_put_off(scratch);
+  ask_put_off(*state_->accel, rays.size(), scratch);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     MeetingRay& r = rays[i];
     const RayQuery& query = scratch.queries[i];
@@ -76,20 +82,21 @@ void Geometry::closest(std::span<MeetingRay> rays, RayKind kind, GeometryScratch
 }
 
 void Geometry::occluded(std::span<ShadowRay> rays, GeometryScratch& scratch) const {
-  if (!state_->answers_together || rays.size() == 1) {
+  if (!state_->answers_together || rays.size() <= 1) {
     for (ShadowRay& r : rays) r.blocked = occluded(r.ray, r.t_from, r.t_to, scratch);
     return;
   }
   scratch.put_off.count = 0;
+  const bool others = !state_->accel->companion_only();
   for (std::uint32_t i = 0; i < rays.size(); ++i) {
     const ShadowRay& r = rays[i];
     RayQuery& query = *::new (&scratch.queries[i])
                           RayQuery(state_->shadow_query(r.ray, r.t_from, r.t_to, scratch));
     query.later = &scratch.put_off;
     scratch.put_off.begin(i);
-    state_->accel->any(query);
+    if (others) state_->accel->any(query);
   }
-  ask_put_off(scratch);
+  ask_put_off(*state_->accel, rays.size(), scratch);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     rays[i].blocked = scratch.queries[i].found.store != nullptr;
   }

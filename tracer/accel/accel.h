@@ -17,6 +17,21 @@ class Accel {
   virtual void closest(RayQuery& query) const = 0;
   /// True as soon as any hit is found; which one is not defined.
   virtual bool any(RayQuery& query) const = 0;
+
+  /// The only object that answers several rays together, if boxes are no quicker to rule it out:
+  /// queries that put off (RayQuery::later) are not told of it, and whoever makes them asks it
+  /// after everybody else. Null: there is none.
+  struct Companion {
+    const Targets* targets = nullptr;
+    std::uint32_t index = 0;
+  };
+  [[nodiscard]] const Companion& companion() const { return companion_; }
+  /// True if there is no other object.
+  [[nodiscard]] bool companion_only() const { return companion_only_; }
+
+ protected:
+  Companion companion_;
+  bool companion_only_ = false;
 };
 
 [[nodiscard]] std::unique_ptr<Accel> make_embree_accel(std::span<const Targets* const> all);

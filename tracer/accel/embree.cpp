@@ -2,6 +2,7 @@
 // rounded outward. The answers, in double precision, live in the query.
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -221,6 +222,7 @@ class EmbreeAccel final : public Accel {
         few_.push_back(
             {BoxTree::grown(f.target.targets->surface_bounds(f.target.index)), f.target});
       }
+      find_companion();
       return;
     }
     const std::size_t few = std::min(most + 1, finite.size());
@@ -246,6 +248,15 @@ class EmbreeAccel final : public Accel {
     region_.box.hi += region_.pad;
   }
 
+  /// Puts it last.
+  void find_companion() {
+    const auto together = [](const Boxed& b) { return b.target.targets->nearest_together != nullptr; };
+    const auto others = std::partition(few_.begin(), few_.end(), std::not_fn(together));
+    if (few_.end() - others != 1) return;
+    companion_ = {others->target.targets, others->target.index};
+    companion_only_ = few_.size() == 1 && lone_.empty();
+  }
+
   /// Asks those whose boxes the ray meets, the nearest box first.
   void ask_few(RayQuery& query) const {
     struct Met {
@@ -254,8 +265,9 @@ class EmbreeAccel final : public Accel {
     };
     std::array<Met, few_objects> met;
     std::size_t count = 0;
+    const bool put_off = query.later != nullptr && companion_.targets != nullptr;
     const dvec3 inverse = 1.0 / query.ray.d;
-    for (const Boxed& boxed : few_) {
+    for (const Boxed& boxed : std::span(few_).first(few_.size() - (put_off ? 1 : 0))) {
       double t_from = query.t_from;
       double t_to = query.t_to;
       if (!BoxTree::clip(boxed.box, query.ray.o, inverse, t_from, t_to)) continue;

@@ -8,6 +8,8 @@
 #include <new>
 #include <utility>
 
+#include "base/unit.h"
+#include "functions/simd/inline.h"
 #include "tracer/sobol.h"
 
 namespace durer::tracer {
@@ -86,27 +88,37 @@ void Eye::see(std::span<const Spot> spots, Pixel* out) {
     return;
   }
   samples_.resize(Tracer::most_together);
-  std::array<Pixel*, Tracer::most_together> pixels;
   while (!spots.empty()) {
-    std::size_t count = 0;
     const auto some = spots.first(std::min(spots.size(), Tracer::most_together));
-    for (const Spot& spot : some) {
-      Pixel& pixel = *out++;
-      CameraRay ray;
-      if (!camera_ray(spot.x, spot.y, 0, ray)) {
-        pixel = nothing;
-        continue;
-      }
-      Sample& sample = samples_[count];
-      sample.noise = seed(spot.x, spot.y, spot.index);
-      start(ray, *::new (&sample.path) Path);  // made in place
-      pixels[count++] = &pixel;
-    }
-    tracer_.trace(std::span(samples_).first(count));
-    for (std::size_t i = 0; i < count; ++i) {
-      *pixels[i] = Pixel(samples_[i].seen.colour, samples_[i].seen.transmittance);
-    }
+    see_some(some, out);
     spots = spots.subspan(some.size());
+    out += some.size();
+  }
+}
+
+/// Step by step for all, lest each ray waits for what it has to compute one after the other.
+void Eye::see_some(std::span<const Spot> spots, Pixel* out) {
+  Packet<CameraRay> rays;
+  Packet<dvec3> directions;
+  std::array<Pixel*, Tracer::most_together> pixels;
+  std::size_t count = 0;
+  for (const Spot& spot : spots) {
+    Pixel& pixel = *out++;
+    if (!camera_ray(spot.x, spot.y, 0, rays[count])) {
+      pixel = nothing;
+      continue;
+    }
+    directions[count] = rays[count].ray.d;
+    samples_[count].noise = seed(spot.x, spot.y, spot.index);
+    pixels[count++] = &pixel;
+  }
+  normalize_all(directions.first(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    start(rays[i], directions[i], *::new (&samples_[i].path) Path);  // made in place
+  }
+  tracer_.trace(std::span(samples_).first(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    *pixels[i] = Pixel(samples_[i].seen.colour, samples_[i].seen.transmittance);
   }
 }
 
@@ -163,15 +175,15 @@ Pixel Eye::through_lens(dvec2 at, dvec2 pixel, std::uint32_t index, int sample) 
 Pixel Eye::look_along(const CameraRay& ray, double x, double y, std::uint32_t index) {
   scratch_.noise = seed(x, y, index);
   Path path;
-  start(ray, path);
+  start(ray, unit(ray.ray.d), path);
   const auto pixel = [](const Radiance& r) { return Pixel(r.colour, r.transmittance); };
   if (view_->scene->quality.path) return pixel(paths_.trace(path, random_));
   return pixel(tracer_.trace(std::move(path)));
 }
 
-/// A path as it leaves the camera.
-void Eye::start(const CameraRay& ray, Path& path) {
-  path.ray = {ray.ray.o, unit(ray.ray.d)};
+/// A path as it leaves the camera. `d`: the direction of the ray, of unit length.
+DURER_INLINE void Eye::start(const CameraRay& ray, const dvec3& d, Path& path) {
+  path.ray = {ray.ray.o, d};
   if (view_->bump != scene::none) {
     const dvec3 place(ray.plane.x, ray.plane.y, 0);
     path.ray.d = glm::normalize(view_->bumps.at(view_->bump, place, path.ray.d, nullptr));

@@ -65,7 +65,8 @@ class Eye {
   Pixel plain(double x, double y, std::uint32_t index);
   [[nodiscard]] Pixel through_lens(dvec2 at, dvec2 pixel, std::uint32_t index, int sample);
   [[nodiscard]] Pixel look_along(const CameraRay& ray, double x, double y, std::uint32_t index);
-  void start(const CameraRay& ray, Path& path);
+  void see_some(std::span<const Spot> spots, Pixel* out);
+  inline void start(const CameraRay& ray, const dvec3& d, Path& path);
   void find_around(const dvec3& p, Containment& inside);
   [[nodiscard]] dvec3 unit(const dvec3& d);
 

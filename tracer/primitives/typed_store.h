@@ -40,6 +40,7 @@
 #include <utility>
 
 #include "base/transform.h"
+#include "base/unit.h"
 #include "functions/simd/inline.h"
 #include "tracer/primitives/store.h"
 #include "tracer/query.h"
@@ -202,9 +203,8 @@ class TypedStore final : public Store {
       std::array<dvec3, most_in_packet> local;
       for (std::size_t i = 0; i < points.size(); ++i) local[i] = item.to_object(points[i]);
       item.shape.normals(std::span<const dvec3>(local).first(points.size()), parts, out);
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        out[i] = glm::normalize(item.normal_to_world(out[i]));
-      }
+      for (std::size_t i = 0; i < points.size(); ++i) out[i] = item.normal_to_world(out[i]);
+      normalize_all({out, points.size()});
     } else {
       for (std::size_t i = 0; i < points.size(); ++i) out[i] = normal(index, points[i], parts[i]);
     }

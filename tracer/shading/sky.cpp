@@ -8,7 +8,8 @@ namespace durer::tracer {
 Sky::Sky(const scene::Scene& scene)
     : background_(scene.background),
       legacy_(scene.settings.effective_version < 370),
-      pigments_(scene.settings) {
+      pigments_(scene.settings),
+      plain_{find(dvec3(0.0), false), find(dvec3(0.0), true)} {
   if (!scene.sky_sphere) return;
   emission_ = scene.sky_sphere->emission;
   for (const scene::Pigment& p : scene.sky_sphere->pigments) {
@@ -16,7 +17,7 @@ Sky::Sky(const scene::Scene& scene)
   }
 }
 
-Sky::Seen Sky::at(dvec3 d, bool opaque) const {
+Sky::Seen Sky::find(dvec3 d, bool opaque) const {
   Colour background = background_;
   if (legacy_) {
     // With an alpha channel the old rules show nothing at all (shading §7.2).

@@ -1,6 +1,7 @@
 // What a ray sees that hits nothing: sky sphere over background (shading §7).
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "scene/scene.h"
@@ -18,9 +19,12 @@ class Sky {
   };
   /// Colour in direction `d` (unit length). Mirrors, and pictures without an alpha channel, show an
   /// opaque sky.
-  [[nodiscard]] Seen at(dvec3 d, bool opaque) const;
+  [[nodiscard]] Seen at(const dvec3& d, bool opaque) const {
+    return layers_.empty() ? plain_[opaque ? 1 : 0] : find(d, opaque);
+  }
 
  private:
+  [[nodiscard]] Seen find(dvec3 d, bool opaque) const;
   [[nodiscard]] Seen modern(dvec3 d, const Colour& background) const;
   [[nodiscard]] Seen legacy(dvec3 d, const Colour& background) const;
 
@@ -29,6 +33,7 @@ class Sky {
   vec3 emission_{1.0F};
   PigmentStore pigments_;
   std::vector<PigmentId> layers_;  // in written order; later ones lie on top
+  std::array<Seen, 2> plain_;  // what is seen everywhere, if there are none: with alpha, and opaque
 };
 
 }  // namespace durer::tracer

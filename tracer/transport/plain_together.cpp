@@ -5,13 +5,24 @@
 #include "tracer/transport/plain.h"
 
 namespace durer::tracer {
+namespace {
+
+/// Copies number by number: reading at once, in larger pieces, what was just computed takes long.
+template <typename Vector>
+DURER_INLINE void put(const Vector& from, Vector& to) {
+  to.x = from.x;
+  to.y = from.y;
+  to.z = from.z;
+}
+
+}  // namespace
 
 /// A point on its way to be lit.
 struct Tracer::PlainPoint {
-  Sample* sample;
-  const View* view;
+  Sample* sample = nullptr;
+  const View* view = nullptr;
   LayerPoint layer;
-  vec3 lit;
+  vec3 lit{0.0F};
 };
 
 /// Lights those samples that go the short way and have been looked up; they wait no longer. Asks the
@@ -25,8 +36,12 @@ void Tracer::light_together(std::span<Sample> samples) {
     if (!found.waits || !is_plain(view) || view.known.empty()) continue;
     found.waits = false;
     const LayerLook& own = view.known.front();
-    const LayerPoint layer{&finish_of_plain(view), 1, *own.n, own.colour->rgb};
-    ::new (&points[count++]) PlainPoint{&samples[i], &view, layer, vec3(0.0F)};
+    PlainPoint& point = *::new (&points[count++]) PlainPoint;
+    point.sample = &samples[i];
+    point.view = &view;
+    point.layer.finish = &finish_of_plain(view);
+    put(*own.n, point.layer.n);
+    put(own.colour->rgb, point.layer.pigment);
   }
   for (std::size_t first = 0; first < count;) {
     const std::uint32_t lamps = points[first].view->lamps;
@@ -46,7 +61,7 @@ void Tracer::light_together(std::span<Sample> samples) {
 void Tracer::add_lamp(std::uint32_t number, std::span<PlainPoint> points) {
   struct Waiting {
     PlainPoint* point;
-    Incidence in;
+    vec3 light;
     bool hidden;
   };
   Packet<Waiting> waiting;
@@ -54,28 +69,36 @@ void Tracer::add_lamp(std::uint32_t number, std::span<PlainPoint> points) {
   for (PlainPoint& point : points) {
     const View& view = *point.view;
     if (!point.layer.finish->lit) continue;
-    if_lit(number, view, point.layer, [&](const Light& lamp, const Incidence& in, bool hidden) {
+    const auto wait_or_light = [&](const Light& lamp, const Incidence& in,
+                                   bool hidden) DURER_LAMBDA_INLINE {
       if (lamp.plain && in.distance > 2 * t_shadow) {
         ShadowRay& ray = scratch_->shadow_rays[count];
-        ray.ray = {view.p, in.l};
+        put(view.p, ray.ray.o);
+        put(in.l, ray.ray.d);
         ray.t_from = t_shadow;
         ray.t_to = in.distance - t_shadow;
-        ::new (&waiting[count++]) Waiting{&point, in, hidden};
+        Waiting& w = *::new (&waiting[count++]) Waiting;
+        w.point = &point;
+        put(in.colour, w.light);
+        w.hidden = hidden;
         return;
       }
       scratch_->noise = point.sample->noise;
-      add_light(view, point.sample->path.inside, point.layer, lamp, in, hidden, point.lit);
+      const Incidence kept = in;  // `in` itself may stay in registers
+      add_light(view, point.sample->path.inside, point.layer, lamp, kept, hidden, point.lit);
       point.sample->noise = scratch_->noise;
-    });
+    };
+    if_lit(number, view, point.layer, wait_or_light);
   }
   scratch_->rays += count;
   const auto rays = std::span(scratch_->shadow_rays).first(count);
   scene_->geometry.occluded(rays, *scratch_->geometry);
   for (std::size_t i = 0; i < count; ++i) {
     if (rays[i].blocked) continue;
-    const auto& [point, in, hidden] = waiting[i];
+    const auto& [point, light, hidden] = waiting[i];
     scratch_->noise = point->sample->noise;
-    point->lit += shade_from(*point->view, point->layer, in.l, in.colour, {hidden, true, true});
+    point->lit +=
+        shade_from(*point->view, point->layer, rays[i].ray.d, light, {hidden, true, true});
     point->sample->noise = scratch_->noise;
   }
 }

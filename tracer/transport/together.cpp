@@ -7,6 +7,7 @@
 #include <new>
 
 #include "tracer/transport/layers.h"
+#include "tracer/transport/look.h"
 
 namespace durer::tracer {
 
@@ -90,7 +91,8 @@ DURER_INLINE bool Tracer::see(Sample& sample, bool met, const Hit& hit, FoundSur
     return false;
   }
   ++path.level;
-  Look& look = *::new (&found.look) Look(this->look(hit, path.ray.d));  // made in place
+  Look& look = *::new (&found.look) Look;
+  this->look(hit, path.ray.d, look);
   if (!is_mixed(look)) return true;
   scratch_->noise = sample.noise;
   sample.seen = along.ends_with(mixed(look, hit, path));

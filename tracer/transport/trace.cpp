@@ -1,3 +1,4 @@
+#include "tracer/transport/look.h"
 #include "tracer/transport/texture_parts.h"
 
 #include <algorithm>
@@ -85,11 +86,9 @@ void Tracer::pass_air(const Path& path, const Hit* hit, Along& along) {
   along.transmittance *= air.transmittance;
 }
 
-/// True if several textures show at the point; afterwards a single one is chosen.
-bool Tracer::is_mixed(Look& look) const {
-  if (look.blend.count > 1) return true;
-  if (look.view.texture->patterned()) narrow(look.view);
-  return look.view.texture->patterned();
+bool Tracer::is_patterned(View& view) const {
+  narrow(view);
+  return view.texture->patterned();
 }
 Radiance Tracer::mixed(const Look& look, const Hit& hit, const Path& path) {
   return look.blend.count > 1 ? blend(look, hit, path) : shown(look.view, path);
@@ -110,30 +109,23 @@ Radiance Tracer::blend(const Look& look, const Hit& hit, const Path& path) {
   return sum;
 }
 
-Tracer::Look Tracer::look(const Hit& hit, dvec3 d) const {
-  const Leaf& leaf = leaves_[hit.leaf];
-  const SurfaceProgram& s = scene_->surfaces[leaf.surface];
-  const bool from_inside = glm::dot(hit.n, d) > 0;
+Tracer::Look Tracer::look(const Hit& hit, const dvec3& d) const {
   Look found;
-  found.surface = &s;
+  look(hit, d, found);
+  return found;
+}
+
+/// Of surfaces that are not bare, or stand in shared contents: their texture, and where it lies.
+void Tracer::look_closer(const Hit& hit, bool from_inside, Look& found) const {
+  const SurfaceProgram& s = *found.surface;
   View& view = found.view;
-  view.p = hit.p;
-  view.d = d;
-  view.g = from_inside ? -hit.n : hit.n;
-  view.seen = view.g;
   view.texture = &scene_->textures.program(texture_at(hit, s, from_inside, view.places));
-  view.interior = hit.interior;
-  view.lamps = s.lamps;
-  view.double_illuminate = s.double_illuminate;
-  view.collects = s.photons.collects();
-  view.depth = hit.t;
   // An interior texture hides those of single parts.
   if (s.has_parts && !(from_inside && s.inside != s.outside)) {
     found.blend = Geometry::part_textures(hit);
   }
   if (s.cutaway) found.blend = scene_->geometry.cutaway_textures(hit, from_inside);
   dress(view, found, hit, found.blend.count == 1 ? found.blend.parts[0].texture : scene::none);
-  return found;
 }
 
 /// Which texture of a surface is seen, and the space it lies in: that of the outermost `places`

@@ -29,12 +29,12 @@ struct Path {
   double reach = no_hit_depth;  // what is farther away is not seen
   float weight = 1;  // share of the pixel it can still change
   int level = 0;     // bends so far
-  bool reflected = false;
-  double wavelength = 0;  // nm; 0: white light
-  Containment inside;     // bodies that the ray is inside of
+  double wavelength = 0;      // nm; 0: white light
   std::uint32_t bounce = 0;   // of indirect light; above 0: the ray gathers some
+  bool reflected = false;
+  bool transmitted = false;   // it came through a surface
   FirstHit* first = nullptr;  // who wants to know of the next surface, if somebody does
-  bool transmitted = false;  // it came through a surface
+  Containment inside;         // bodies that the ray is inside of; large, so it stands last
 
   [[nodiscard]] RayKind kind() const {
     return bounce > 0    ? RayKind::gathering
@@ -52,9 +52,9 @@ struct Radiance {
 
 /// A ray of the picture, and what it sees.
 struct Sample {
-  Path path;
   std::uint32_t noise = 0;  // state of its random numbers
   Radiance seen;
+  Path path;
 };
 
 /// One reflection that waits until the layers of its surface are summed.
@@ -200,17 +200,17 @@ class Tracer {
     const TextureProgram* texture = nullptr;
     std::uint32_t interior = 0;
     std::uint32_t lamps = 0;  // index into Geometry::lamp_sets()
-    /// Spaces of the patterned textures around `texture`, outermost first.
-    std::uint32_t frame_count = 0;
-    std::array<const NormalFrame*, max_texture_depth> frames;
-    /// Spaces of the placements around the texture, outermost first; `q` lies in the last one.
-    std::uint32_t places = 0;
-    std::array<const Transform*, max_placement_depth> spaces;
+    double depth = 0;  // from the ray's origin
+    std::span<const LayerLook> known;  // the first layers, if they were looked up before
     bool double_illuminate = false;
     bool gathering = false;  // seen by a ray that gathers indirect light
     bool collects = true;    // shows photons
-    double depth = 0;  // from the ray's origin
-    std::span<const LayerLook> known;  // the first layers, if they were looked up before
+    /// Spaces of the patterned textures around `texture`, outermost first.
+    std::uint32_t frame_count = 0;
+    /// Spaces of the placements around the texture, outermost first; `q` lies in the last one.
+    std::uint32_t places = 0;
+    std::array<const NormalFrame*, max_texture_depth> frames;
+    std::array<const Transform*, max_placement_depth> spaces;
   };
   // What the layers of a surface send out, and let through.
   struct LayerSum {
@@ -284,10 +284,15 @@ class Tracer {
   }
   [[nodiscard]] Radiance follow(Path& path, bool straight, Along& along);
   void pass_air(const Path& path, const Hit* hit, Along& along);
-  [[nodiscard]] bool is_mixed(Look& look) const;
+  [[nodiscard]] bool is_mixed(Look& look) const {
+    return look.blend.count > 1 || (look.view.texture->patterned() && is_patterned(look.view));
+  }
+  [[nodiscard]] bool is_patterned(View& view) const;
   [[nodiscard]] Radiance mixed(const Look& look, const Hit& hit, const Path& path);
   [[nodiscard]] Radiance blend(const Look& look, const Hit& hit, const Path& path);
-  [[nodiscard]] Look look(const Hit& hit, dvec3 d) const;
+  [[nodiscard]] Look look(const Hit& hit, const dvec3& d) const;
+  inline void look(const Hit& hit, const dvec3& d, Look& found) const;
+  void look_closer(const Hit& hit, bool from_inside, Look& found) const;
   [[nodiscard]] ProgramId texture_at(const Hit& hit, const SurfaceProgram& surface,
                                      bool from_inside, std::uint32_t& places) const;
   void dress(View& view, const Look& look, const Hit& hit, std::uint32_t texture) const;
@@ -514,11 +519,11 @@ class Tracer {
 struct FoundSurface {
   static constexpr std::uint32_t most_layers = 4;
 
-  Tracer::Look look;
-  std::array<Tracer::LayerLook, most_layers> layers;  // as far as `look.view.known` goes
-  vec3 through{1.0F};  // what they let through
-  Tracer::Along along;  // what is before the surface
   bool waits = false;
+  Tracer::Along along;  // what is before the surface
+  vec3 through{1.0F};   // what the layers let through
+  std::array<Tracer::LayerLook, most_layers> layers;  // as far as `look.view.known` goes
+  Tracer::Look look;
 };
 
 /// What layers of a texture look like at several points.
