@@ -62,10 +62,9 @@ class FieldSearch {
   /// A sign that is known to hold from t on.
   void settle(int sign, double t);
   [[nodiscard]] double value(double t);
-  /// The linear function of a cell along the line, at + t · slope, and above and below what the
-  /// sign is settled.
+  /// The linear function of a cell along the line, at + t · slope, and its error.
   struct Line {
-    double at, slope, above, below;
+    double at, slope, error;
   };
   [[nodiscard]] Line line_in(const FieldCell& cell) const;
   [[nodiscard]] bool grazes(const FieldDetail& cell, const Line& line) const;

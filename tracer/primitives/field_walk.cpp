@@ -239,22 +239,20 @@ void FieldWalk<Instructions>::walk(Mask lanes) {
       if (!next()) return;
       continue;
     }
-    if (state != State::vague && state != State::halved) {
+    if (state != State::halved) {
       const Line line = line_in(*cell);
       const Floats a = line.at + line.slope * begin;
       const Floats b = line.at + line.slope * end;
-      const Mask outside =
-          lanes & above(least(a, b), Floats::all(cell->above.load(std::memory_order_relaxed)));
-      const Mask inside =
-          lanes & above(Floats::all(cell->below.load(std::memory_order_relaxed)), most(a, b));
+      const Mask outside = lanes & above(least(a, b), Floats::all(cell->error));
+      const Mask inside = lanes & above(Floats::all(-cell->error), most(a, b));
       if (outside != 0) settle(outside, false, begin);
       if (inside != 0) settle(inside, true, begin);
       lanes &= ~(outside | inside);
-      if (lanes != 0 && state != State::whole && state != State::halved) {
+      if (lanes != 0 && state != State::whole) {
         const FieldDetail& detail = state == State::refined ? link.halves().whole() : link.detail();
         const Floats spread = spread_in(detail);
         Mask here = lanes;
-        if (state != State::rough && detail.depth < grazing_depth) {
+        if (state != State::rough && detail.depth() < grazing_depth) {
           here &= above(abs(line.slope), spread);
         }
         if (here != 0) examine(*cell, here, line, spread, begin, end);
@@ -270,7 +268,7 @@ void FieldWalk<Instructions>::walk(Mask lanes) {
     if (!link.has_halves()) link = field_.split(*cell, link, near);
     const FieldHalves& halves = link.halves();
     const Floats middle =
-        (Floats::all(halves.short_plane) - load(packet_.short_p_[k])) * load(packet_.inverse_[k]);
+        (Floats::all(cell->plane) - load(packet_.short_p_[k])) * load(packet_.inverse_[k]);
     const Mask first = lanes & above(middle, begin);
     const Mask second = lanes & (above(end, middle) | ~first);
     // Without branches, which could not be foretold.
@@ -293,7 +291,7 @@ template <class Instructions>
 void FieldWalk<Instructions>::examine(const FieldCell& cell, Mask lanes, const Line& line,
                                       Floats spread, Floats begin, Floats end) {
   const Floats steep = abs(line.slope);
-  const float bound = cell.above.load(std::memory_order_relaxed);
+  const float bound = cell.error;
   const bool bounded = std::isfinite(bound);
   const Mask rough = lanes & ~(bounded ? above(steep, spread) : 0);
   if (rough != 0) {
