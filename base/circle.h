@@ -57,7 +57,7 @@ struct OnCircle {
 using PairOnCircle = OnCircle<DoublePair>;
 
 /// True if the angle is not too large for on_circle().
-[[nodiscard]] inline bool fits_circle(double angle) {
+[[nodiscard]] DURER_CIRCLE_INLINE bool fits_circle(double angle) {
   return angle > -circle_detail::farthest && angle < circle_detail::farthest;
 }
 /// V: a vector of doubles of any length. The same bits in every lane, on every processor. Error:
@@ -78,22 +78,24 @@ template <class V>
   const Bits s = Bits(r * series(odd, z));
   const Bits c = Bits(series(even, z));
   const Bits quarter = Bits(shifted);
-  const Bits odd_quarter = -(quarter & 1);
-  const Bits sine_sign = (quarter & 2) << 62;
-  const Bits cosine_sign = ((quarter + 1) & 2) << 62;
-  return {V(((c & odd_quarter) | (s & ~odd_quarter)) ^ sine_sign),
-          V(((s & odd_quarter) | (c & ~odd_quarter)) ^ cosine_sign), k, r};
+  const Bits swapped = (s ^ c) & -(quarter & 1);
+  const Bits sine_sign = (quarter << 62) & INT64_MIN;
+  const Bits cosine_sign = ((quarter + 1) << 62) & INT64_MIN;
+  return {V(s ^ swapped ^ sine_sign), V(c ^ swapped ^ cosine_sign), k, r};
 }
 
-/// Encloses what std::sin and std::cos, or on_circle(), give for the numbers of a range.
-[[nodiscard]] DURER_CIRCLE_INLINE Circle circle_of(const Interval& a) {
-  using namespace circle_detail;
-  using namespace ranges_detail;
+namespace circle_detail {
+[[nodiscard]] DURER_CIRCLE_INLINE bool is_part_of_circle(const Interval& a) {
+  return a.hi - a.lo < 2 * std::numbers::pi && fits_circle(a.lo) && fits_circle(a.hi);
+}
+/// The whole circle, for a range that is not a part of it or too far away.
+[[nodiscard]] DURER_CIRCLE_INLINE Circle whole_circle(const Interval& a) {
   const bool nan = a.nan || interval_detail::has_infinity(a);
-  if (!(a.hi - a.lo < 2 * std::numbers::pi) || !fits_circle(a.lo) || !fits_circle(a.hi)) {
-    return {{-1, 1, nan}, {-1, 1, nan}};
-  }
-  const PairOnCircle ends = on_circle(DoublePair{a.lo, a.hi});
+  return {{-1, 1, nan}, {-1, 1, nan}};
+}
+/// The part of the circle between two ends.
+[[nodiscard]] DURER_CIRCLE_INLINE Circle circle_between(const PairOnCircle& ends, bool nan) {
+  using namespace ranges_detail;
   const DoublePair from{ends.sine[0], ends.cosine[0]};
   const DoublePair to{ends.sine[1], ends.cosine[1]};
   const DoublePair lo = greatest(least(from, to) - pad, DoublePair{-1, -1});
@@ -109,6 +111,30 @@ template <class V>
   const auto passes = [&](unsigned quarter) { return (passed >> quarter & 1) != 0; };
   return {{passes(3) ? -1 : lo[0], passes(1) ? 1 : hi[0], nan},
           {passes(2) ? -1 : lo[1], passes(0) ? 1 : hi[1], nan}};
+}
+}  // namespace circle_detail
+
+/// Encloses what std::sin and std::cos, or on_circle(), give for the numbers of a range.
+[[nodiscard]] DURER_CIRCLE_INLINE Circle circle_of(const Interval& a) {
+  using namespace circle_detail;
+  if (!is_part_of_circle(a)) return whole_circle(a);
+  return circle_between(on_circle(DoublePair{a.lo, a.hi}), a.nan);
+}
+/// Of two ranges at once. `Four`: a vector of four doubles.
+template <class Four>
+[[nodiscard]] DURER_CIRCLE_INLINE std::array<Circle, 2> circles_of(const Interval& a,
+                                                                   const Interval& b) {
+  using namespace circle_detail;
+  if (!is_part_of_circle(a) || !is_part_of_circle(b)) return {circle_of(a), circle_of(b)};
+  const OnCircle<Four> ends = on_circle(Four{a.lo, a.hi, b.lo, b.hi});
+  const auto lower = [](const Four& v) { return DoublePair{v[0], v[1]}; };
+  const auto upper = [](const Four& v) { return DoublePair{v[2], v[3]}; };
+  return {circle_between({lower(ends.sine), lower(ends.cosine), lower(ends.quarters),
+                          lower(ends.rest)},
+                         a.nan),
+          circle_between({upper(ends.sine), upper(ends.cosine), upper(ends.quarters),
+                          upper(ends.rest)},
+                         b.nan)};
 }
 [[nodiscard]] inline Interval sin(const Interval& a) {
   return a.is_point() ? Interval(std::sin(a.lo)) : circle_of(a).sine;

@@ -39,7 +39,7 @@ BoxTrends::BoxTrends(FunctionRef function) : whole_(with_stops(with_single_waves
   static std::atomic<std::uint64_t> last{0};
   number_ = ++last;
   for (unsigned changed = 1; changed < parts_.size(); ++changed) {
-    parts_[changed] = with_stops(with_single_waves(*function, changed));
+    parts_[changed] = with_stops(depending_on(whole_.tape, changed));
   }
 }
 

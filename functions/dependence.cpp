@@ -26,33 +26,21 @@ Instruction trimmed(const Function& f, Instruction waves, const std::vector<bool
   return waves;
 }
 
-/// The waves of those angles of `in` that change, one by one.
-void add_changing_waves(const Function& f, const Instruction& in, std::vector<bool>& changes,
-                        Function& part) {
-  for (std::uint32_t i = 0; i < in.count / 2U; ++i) {
-    if (!changes[f.operands[in.a + i]]) continue;
-    part.code.push_back({Op::waves, 2, in.dst + 2 * i, in.a + i, 0});
-    changes[in.dst + 2 * i] = true;
-    changes[in.dst + 2 * i + 1] = true;
-  }
-}
+}  // namespace
 
-/// The instructions to which registers lead that change. `single`: waves come one by one.
-Function changing(const Function& f, std::vector<bool> changes, bool single) {
+Function depending_on(const Function& f, unsigned changed) {
   Function part = f;
   const auto branches = [](const Instruction& in) {
     return in.op == Op::select || in.op == Op::loop;
   };
   if (std::any_of(f.code.begin(), f.code.end(), branches)) return part;
+  std::vector<bool> changes(f.registers);
+  for (Register r = 0; r < f.parameters; ++r) changes[r] = (changed >> r & 1U) != 0;
   part.code.clear();
   for (const Instruction& in : f.code) {
     bool depends = false;
     for_operands(f, in, [&](const Register& r) { depends = depends || changes[r]; });
     if (!depends) continue;
-    if (in.op == Op::waves && single) {
-      add_changing_waves(f, in, changes, part);
-      continue;
-    }
     const Instruction kept = in.op == Op::waves ? trimmed(f, in, changes) : in;
     part.code.push_back(kept);
     for (std::uint32_t i = 0; i < results_of(kept); ++i) changes[kept.dst + i] = true;
@@ -60,26 +48,24 @@ Function changing(const Function& f, std::vector<bool> changes, bool single) {
   return part;
 }
 
-std::vector<bool> registers_of(const Function& f, unsigned parameters) {
-  std::vector<bool> of(f.registers);
-  for (Register r = 0; r < f.parameters; ++r) of[r] = (parameters >> r & 1U) != 0;
-  return of;
-}
-
-}  // namespace
-
-Function depending_on(const Function& f, unsigned changed) {
-  return changing(f, registers_of(f, changed), false);
-}
-Function with_single_waves(const Function& f, unsigned changed) {
-  return changing(f, registers_of(f, changed), true);
-}
 Function with_single_waves(const Function& f) {
-  return changing(f, std::vector<bool>(f.registers, true), true);
+  Function single = f;
+  single.code.clear();
+  for (const Instruction& in : f.code) {
+    if (in.op != Op::waves) {
+      single.code.push_back(in);
+      continue;
+    }
+    for (std::uint32_t i = 0; i < in.count / 2U; ++i) {
+      single.code.push_back({Op::waves, 2, in.dst + 2 * i, in.a + i, 0});
+    }
+  }
+  return single;
 }
 
 Function moved(Function part, unsigned changed, Register distance) {
-  std::vector<bool> moves = registers_of(part, changed);
+  std::vector<bool> moves(part.registers);
+  for (Register r = 0; r < part.parameters; ++r) moves[r] = (changed >> r & 1U) != 0;
   for (const Instruction& in : part.code) {
     for (std::uint32_t i = 0; i < results_of(in); ++i) moves[in.dst + i] = true;
     if (in.op == Op::loop) moves[part.loops[in.b].counter] = true;

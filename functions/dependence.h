@@ -6,11 +6,11 @@
 namespace durer::functions {
 
 /// The tape without the instructions whose results stay if only the parameters in `changed` change
-/// (bit i: parameter i), and of waves only the pairs that do not. A tape with branches or loops is
-/// kept as a whole.
+/// (bit i: parameter i), and of waves only pairs that do not. A tape with branches or loops is kept
+/// as a whole.
 [[nodiscard]] Function depending_on(const Function& f, unsigned changed);
-/// Likewise, or the whole tape, with waves one by one: ranges of angles do not depend on partners.
-[[nodiscard]] Function with_single_waves(const Function& f, unsigned changed);
+/// The whole tape with waves that do not depend on their neighbours. Not for one with branches that
+/// hold waves; none does.
 [[nodiscard]] Function with_single_waves(const Function& f);
 
 /// The same on registers further behind: what `part` computes, and the parameters in `changed`, move

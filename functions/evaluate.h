@@ -80,6 +80,9 @@ class Evaluator {
   T operator()(std::span<const T> arguments);
   /// The same where it is, until the next evaluation.
   const T& in_place(std::span<const T> arguments);
+  /// The same for arguments that were written to their places.
+  [[nodiscard]] T* arguments() { return frame_; }
+  const T& in_place();
   /// Component `i` of the last evaluation.
   [[nodiscard]] const T& component(int i) const;
 

@@ -292,14 +292,22 @@ template <class T>
 const T& Evaluator<T>::in_place(std::span<const T> arguments) {
   assert(arguments.size() == f_.parameters);
   copy_all(arguments.data(), arguments.size(), frame_);
+  return in_place();
+}
+template <class T>
+const T& Evaluator<T>::in_place() {
   Machine<T>(f_, frame_, w_).run();
   return frame_[f_.results[0]];
 }
 template <class T>
 T Evaluator<T>::operator()(std::span<const T> arguments) {
-  T result;
-  copy_all(&in_place(arguments), 1, &result);
-  return result;
+  if constexpr (std::is_same_v<T, Pack>) {
+    T result;
+    copy_all(&in_place(arguments), 1, &result);
+    return result;
+  } else {
+    return in_place(arguments);
+  }
 }
 template <class T>
 const T& Evaluator<T>::component(int i) const {

@@ -142,16 +142,25 @@ class Runner {
     return All(least(x.lo, y.lo), greatest(x.hi, y.hi)).first(v.lo, v.hi).store(to, v.nan);
   }
   DURER_INLINE bool waves(const Instruction& in) {
-    for (std::uint32_t i = 0; i < in.count / 2U; ++i) {
-      const Trend& angle = r_[operands_[in.a + i]];
-      if (!angle.is_bounded() || angle.nan()) return false;
-      const All x(angle);
-      const auto [s, c] = circle_of(angle.range());
-      Trend* const to = r_ + in.dst + 2 * i;
-      if (!x.times(c.lo, c.hi).first(s.lo, s.hi).store(to[0], false)) return false;
-      if (!x.times(-s.hi, -s.lo).first(c.lo, c.hi).store(to[1], false)) return false;
+    const std::uint32_t n = in.count / 2U;
+    Trend* to = r_ + in.dst;
+    std::uint32_t i = 0;
+    for (; i + 1 < n; i += 2, to += 4) {
+      const Trend& a = r_[operands_[in.a + i]];
+      const Trend& b = r_[operands_[in.a + i + 1]];
+      const auto circles = circles_of<Double4>(a.range(), b.range());
+      if (!wave(a, circles[0], to) || !wave(b, circles[1], to + 2)) return false;
     }
-    return true;
+    if (i == n) return true;
+    const Trend& a = r_[operands_[in.a + i]];
+    return wave(a, circle_of(a.range()), to);
+  }
+  DURER_INLINE bool wave(const Trend& angle, const Circle& circle, Trend* to) {
+    if (!angle.is_bounded() || angle.nan()) return false;
+    const All x(angle);
+    const auto& [s, c] = circle;
+    return x.times(c.lo, c.hi).first(s.lo, s.hi).store(to[0], false) &&
+           x.times(-s.hi, -s.lo).first(c.lo, c.hi).store(to[1], false);
   }
 
   const Register* operands_;

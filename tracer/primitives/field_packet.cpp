@@ -47,38 +47,41 @@ void FieldPacket::settle(Mask lanes, bool inside, const PerLane<float>& where) {
   each_bit(starting & entering_, [&](std::size_t i) { enter(i); });
 }
 
-void FieldPacket::enter(std::size_t lane) {
-  hit(lane, enter_[lane], face(near_, lane, enter_[lane], false));
+void FieldPacket::enter(std::size_t lane) { hit_face(lane, near_, enter_[lane], false); }
+
+/// Where a line enters or leaves the container, at about t.
+void FieldPacket::hit_face(std::size_t lane, const std::array<PerLane<double>, 3>& planes, double t,
+                           bool leaves) {
+  const scene::Container& c = surface_.container;
+  if (c.kind == scene::Container::Kind::sphere) return hit(lane, t, sphere_part);
+  std::size_t axis = 0;
+  while (axis < 2 && planes[axis][lane] != t) ++axis;
+  const int k = static_cast<int>(axis);
+  const Ray& ray = rays_[lane].ray;
+  const bool high = (ray.d[k] > 0) == leaves;
+  // As stretch_in() has it, to the last bit.
+  const double exact = ((high ? c.hi : c.lo)[k] - ray.o[k]) / ray.d[k];
+  hit(lane, exact, static_cast<std::uint32_t>(2 * k + 1) + (high ? 1 : 0));
 }
 
-/// The face of the container that a line meets at t.
-std::uint32_t FieldPacket::face(const std::array<PerLane<double>, 3>& at, std::size_t lane,
-                                double t, bool far) const {
-  if (surface_.container.kind == scene::Container::Kind::sphere) return sphere_part;
-  std::size_t k = 0;
-  while (k < 2 && at[k][lane] != t) ++k;
-  const bool high = (d_[k][lane] > 0) == far;
-  return static_cast<std::uint32_t>(2 * k + 1) + (high ? 1 : 0);
-}
-
-/// A line in a cell that is too rough for many at once.
-void FieldPacket::alone(std::size_t lane, const FieldCell& cell, const FieldDetail& detail,
-                        float from, float to) {
+/// A part of a line that is too rough for many at once.
+void FieldPacket::alone(std::size_t lane, const Piece& piece) {
   const Mask bit = Mask{1} << lane;
   const bool known = (known_ & bit) != 0;
   const int before = known ? ((inside_ & bit) != 0 ? -1 : 1) : 0;
-  const Stretch part{begin_[lane] + static_cast<double>(from),
-                     begin_[lane] + static_cast<double>(to), 0, 0};
+  const Stretch part{begin_[lane] + piece.from, begin_[lane] + piece.to, 0, 0};
   const bool at_face = !surface_.open && (entering_ & bit) != 0;
-  FieldSearch search(field_, rays_[lane].ray, part.from, part.to, least_);
-  const int last = search.run_in(cell, detail, part, before, [&](double t, int sign) {
+  const auto take = [&](double t, int sign) {
     if (before != 0 || t > part.from) {
       hit(lane, t, 0);
       return true;
     }
     if (sign < 0 && at_face) enter(lane);
     return (open_ & bit) == 0;
-  });
+  };
+  FieldSearch search(field_, rays_[lane].ray, part.from, part.to, least_);
+  const int last =
+      search.run_between(part, piece.value_from, piece.value_to, piece.slope, before, take);
   if (last == 0) return;
   known_ |= bit;
   inside_ = last < 0 ? inside_ | bit : inside_ & ~bit;
@@ -88,9 +91,8 @@ void FieldPacket::alone(std::size_t lane, const FieldCell& cell, const FieldDeta
 void FieldPacket::leave(Mask lanes) {
   open_ &= ~lanes;
   if (surface_.open) return;
-  each_bit(lanes & known_ & inside_, [&](std::size_t i) {
-    hit(i, leave_[i], face(far_, i, leave_[i], true));
-  });
+  each_bit(lanes & known_ & inside_,
+           [&](std::size_t i) { hit_face(i, far_, leave_[i], true); });
 }
 
 }  // namespace durer::tracer

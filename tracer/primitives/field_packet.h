@@ -38,11 +38,16 @@ class FieldPacket {
   void settle(Mask lanes, bool inside, const PerLane<float>& where);
   void hit(std::size_t lane, double t, std::uint32_t part);
   void enter(std::size_t lane);
-  void alone(std::size_t lane, const FieldCell& cell, const FieldDetail& detail, float from,
-             float to);
+  /// Part of a line, the values at its ends, and the slopes between.
+  struct Piece {
+    double from, to;
+    double value_from, value_to;
+    Interval slope;
+  };
+  void alone(std::size_t lane, const Piece& piece);
   void leave(Mask lanes);
-  [[nodiscard]] std::uint32_t face(const std::array<PerLane<double>, 3>& at, std::size_t lane,
-                                   double t, bool far) const;
+  void hit_face(std::size_t lane, const std::array<PerLane<double>, 3>& planes, double t,
+                bool leaves);
 
   const FunctionField& field_;
   const scene::Isosurface& surface_;

@@ -43,8 +43,7 @@ double FieldSearch::value(double t) {
 FieldSearch::Line FieldSearch::line_in(const FieldCell& cell) const {
   const dvec3 g(cell.slope[0], cell.slope[1], cell.slope[2]);
   return {static_cast<double>(cell.value) + glm::dot(g, from_centre_), glm::dot(g, ray_.d),
-          static_cast<double>(cell.above.load(std::memory_order_relaxed)),
-          static_cast<double>(cell.below.load(std::memory_order_relaxed))};
+          static_cast<double>(cell.error)};
 }
 
 /// True if the slope along the line may be zero somewhere in the cell.
@@ -58,17 +57,17 @@ bool FieldSearch::grazes(const FieldDetail& cell, const Line& line) const {
 bool FieldSearch::enter(const FieldCell& cell, FieldLink& link, double t0, double t1) {
   using State = FieldLink::State;
   const State state = link.state();
-  if (state == State::vague) return false;
+  if (state == State::halved) return false;
   if (state == State::inside) return settle(-1, t0), true;
   if (state == State::outside) return settle(1, t0), true;
   const Line line = line_in(cell);
   const double a = line.at + line.slope * t0;
   const double b = line.at + line.slope * t1;
-  if (std::min(a, b) > line.above) return settle(1, t0), true;
-  if (std::max(a, b) < line.below) return settle(-1, t0), true;
-  if (state == State::whole || state == State::halved) return false;
+  if (std::min(a, b) > line.error) return settle(1, t0), true;
+  if (std::max(a, b) < -line.error) return settle(-1, t0), true;
+  if (state == State::whole) return false;
   const FieldDetail& detail = state == State::refined ? link.halves().whole() : link.detail();
-  if (state != State::rough && detail.depth < grazing_depth && grazes(detail, line)) return false;
+  if (state != State::rough && detail.depth() < grazing_depth && grazes(detail, line)) return false;
   examine(detail, line, t0, t1);
   return true;
 }
@@ -79,7 +78,7 @@ void FieldSearch::walk(double t0, double t1) {
     const FieldCell* cell;
     double end;
   };
-  std::array<Visit, grazing_depth + 1> later;  // cells that the line has yet to pass
+  std::array<Visit, std::max(field_depth, grazing_depth) + 1> later;  // cells that the line has yet to pass
   std::size_t waiting = 0;
   Visit now{&field_.root(), t1};
   dvec3 inverse;
@@ -104,7 +103,7 @@ void FieldSearch::walk(double t0, double t1) {
     if (!link.has_halves()) link = field_.split(*now.cell, link, near);
     const FieldHalves& halves = link.halves();
     const double beginning = std::max(t0, t_from_);
-    const double middle = (halves.plane - ray_.o[k]) * inverse[k];
+    const double middle = (static_cast<double>(now.cell->plane) - from_centre_[k]) * inverse[k];
     // Without branches, which could not be foretold.
     const bool past = middle <= beginning;
     t0 = past ? std::max(t0, middle) : t0;
@@ -121,9 +120,9 @@ void FieldSearch::walk(double t0, double t1) {
 FieldSearch::Band FieldSearch::clip(const Line& line, double t0, double t1) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Band band{t0, t1, infinity, 0, 0, false};
-  if (!std::isfinite(line.above)) return band;
+  if (!std::isfinite(line.error)) return band;
   const double m = line.at;
-  const double error = line.above;
+  const double error = line.error;
   band.slope = line.slope;
   const auto one_sign = [&](int sign) {
     band.empty = true;
@@ -147,17 +146,14 @@ FieldSearch::Band FieldSearch::clip(const Line& line, double t0, double t1) {
 
 /// Looks for changes of sign in the part t0 … t1 of the line, which lies in the cell.
 void FieldSearch::examine(const FieldDetail& cell, const Line& line, double t0, double t1) {
-  if (tape_ != cell.tape) {
-    tape_ = cell.tape;
-    evaluator_.emplace(*tape_, workspace_);
-  }
+  follow(*field_.function());
   const Band band = clip(line, t0, t1);
   if (band.empty) return;
   const double begin = band.begin;
   const double end = band.end;
   const double slope = band.slope;
   double spread = std::numeric_limits<double>::infinity();
-  if (std::isfinite(line.above)) {
+  if (std::isfinite(line.error)) {
     spread = glm::dot(dvec3(cell.spread[0], cell.spread[1], cell.spread[2]), glm::abs(ray_.d));
   }
 

@@ -29,15 +29,18 @@ class FieldSearch {
     walk(stretch.from, stretch.to);
     return done_ ? 0 : sign_;
   }
-  /// The same in a part of the line that lies in one cell, which has no halves. `sign`: in front of
-  /// it, if it is known, else 0.
+  /// The same between two places of the line, where the function has values `from` and `to` (less
+  /// the threshold), if along the line its slope is within `slope`. `sign`: what is known to hold in
+  /// front, else 0.
   template <typename Take>
-  int run_in(const FieldCell& cell, const FieldDetail& detail, const Stretch& part, int sign,
-             Take take) {
-    begin(part, take);
+  int run_between(const Stretch& stretch, double from, double to, Interval slope, int sign,
+                  Take take) {
+    begin(stretch, take);
     sign_ = sign;
     started_ = sign != 0;
-    examine(detail, line_in(cell), part.from, part.to);
+    follow(*field_.function());
+    settle(from <= 0 ? -1 : 1, stretch.from);
+    if (!done_) resolve({stretch.from, from, stretch.to, to, slope});
     return done_ ? 0 : sign_;
   }
 
@@ -50,13 +53,18 @@ class FieldSearch {
       return (*static_cast<Take*>(context))(t, sign);
     };
   }
+  /// From now on, values are those of `tape`.
+  void follow(const functions::Function& tape) {
+    if (tape_ == &tape) return;
+    tape_ = &tape;
+    evaluator_.emplace(tape, workspace_);
+  }
   /// A sign that is known to hold from t on.
   void settle(int sign, double t);
   [[nodiscard]] double value(double t);
-  /// The linear function of a cell along the line, at + t · slope, and above and below what the
-  /// sign is settled.
+  /// The linear function of a cell along the line, at + t · slope, and its error.
   struct Line {
-    double at, slope, above, below;
+    double at, slope, error;
   };
   [[nodiscard]] Line line_in(const FieldCell& cell) const;
   [[nodiscard]] bool grazes(const FieldDetail& cell, const Line& line) const;

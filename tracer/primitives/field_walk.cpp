@@ -1,5 +1,6 @@
 #include "tracer/primitives/field_walk.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -58,11 +59,11 @@ class FieldWalk {
     where.store(u.data());
     packet_.settle(lanes, inside, u);
   }
-  DURER_INLINE void examine(const FieldCell& cell, const FieldDetail& detail, Mask lanes,
-                            const Line& line, Floats spread, Floats begin, Floats end);
-  DURER_INLINE void turn(const FieldCell& cell, const FieldDetail& detail, Mask lanes, Floats slope,
-                         Floats spread, Floats begin, Floats end);
-  DURER_INLINE Mask clear_of_zero(std::size_t first, Mask lanes);
+  DURER_INLINE void examine(const FieldCell& cell, Mask lanes, const Line& line, Floats spread, Floats begin, Floats end);
+  DURER_INLINE void settle(std::size_t first, Mask lanes, Doubles v);
+  DURER_INLINE void turn(Mask lanes, bool bounded, Floats slope, Floats spread, Floats begin,
+                         Floats end);
+  DURER_INLINE void turn(std::size_t first, Mask lanes, bool bounded);
   DURER_INLINE Doubles values(std::size_t first, Doubles u);
   DURER_INLINE Mask inside_at(Mask lanes, Floats u);
   DURER_INLINE void solve(std::size_t first, Mask lanes);
@@ -141,7 +142,7 @@ void FieldWalk<Instructions>::start(std::size_t first) {
   packet_.entering_ |= (open & ~above(t_from, enter)) << first;
 }
 
-/// Fills in enter_ and leave_, as stretch_in() has them; returns who meets the container.
+/// Fills in enter_ and leave_, nearly as stretch_in() has them; returns who meets the container.
 template <class Instructions>
 auto FieldWalk<Instructions>::meet_box(std::size_t first) -> Mask {
   const scene::Container& c = packet_.surface_.container;
@@ -150,8 +151,9 @@ auto FieldWalk<Instructions>::meet_box(std::size_t first) -> Mask {
   for (std::size_t k = 0; k < 3; ++k) {
     const Doubles o = Doubles::load(&packet_.p_[k][first]);
     const Doubles d = Doubles::load(&packet_.d_[k][first]) + Doubles::all(0);  // no zero below zero
-    const Doubles a = (Doubles::all(c.lo[static_cast<int>(k)]) - o) / d;
-    const Doubles b = (Doubles::all(c.hi[static_cast<int>(k)]) - o) / d;
+    const Doubles inverse = Doubles::all(1) / d;
+    const Doubles a = (Doubles::all(c.lo[static_cast<int>(k)]) - o) * inverse;
+    const Doubles b = (Doubles::all(c.hi[static_cast<int>(k)]) - o) * inverse;
     // Of a line within a face, one of them is not a number: that one goes first here, and then in
     // the comparisons below, where it changes nothing.
     const Doubles near = least(b, a);
@@ -207,7 +209,7 @@ auto FieldWalk<Instructions>::alike(Mask lanes) const -> Mask {
 
 template <class Instructions>
 void FieldWalk<Instructions>::walk(Mask lanes) {
-  std::array<Later, grazing_depth + 2> later;
+  std::array<Later, std::max(field_depth, grazing_depth) + 2> later;
   std::size_t waiting = 0;
   const auto any = static_cast<std::size_t>(std::countr_zero(lanes));
   const std::array<std::size_t, 3> nearer{packet_.inverse_[0][any] < 0 ? 1U : 0U,
@@ -237,25 +239,23 @@ void FieldWalk<Instructions>::walk(Mask lanes) {
       if (!next()) return;
       continue;
     }
-    if (state != State::vague && state != State::halved) {
+    if (state != State::halved) {
       const Line line = line_in(*cell);
       const Floats a = line.at + line.slope * begin;
       const Floats b = line.at + line.slope * end;
-      const Mask outside =
-          lanes & above(least(a, b), Floats::all(cell->above.load(std::memory_order_relaxed)));
-      const Mask inside =
-          lanes & above(Floats::all(cell->below.load(std::memory_order_relaxed)), most(a, b));
+      const Mask outside = lanes & above(least(a, b), Floats::all(cell->error));
+      const Mask inside = lanes & above(Floats::all(-cell->error), most(a, b));
       if (outside != 0) settle(outside, false, begin);
       if (inside != 0) settle(inside, true, begin);
       lanes &= ~(outside | inside);
-      if (lanes != 0 && state != State::whole && state != State::halved) {
+      if (lanes != 0 && state != State::whole) {
         const FieldDetail& detail = state == State::refined ? link.halves().whole() : link.detail();
         const Floats spread = spread_in(detail);
         Mask here = lanes;
-        if (state != State::rough && detail.depth < grazing_depth) {
+        if (state != State::rough && detail.depth() < grazing_depth) {
           here &= above(abs(line.slope), spread);
         }
-        if (here != 0) examine(*cell, detail, here, line, spread, begin, end);
+        if (here != 0) examine(*cell, here, line, spread, begin, end);
         lanes &= ~here;
       }
       if (lanes == 0) {
@@ -268,7 +268,7 @@ void FieldWalk<Instructions>::walk(Mask lanes) {
     if (!link.has_halves()) link = field_.split(*cell, link, near);
     const FieldHalves& halves = link.halves();
     const Floats middle =
-        (Floats::all(halves.short_plane) - load(packet_.short_p_[k])) * load(packet_.inverse_[k]);
+        (Floats::all(cell->plane) - load(packet_.short_p_[k])) * load(packet_.inverse_[k]);
     const Mask first = lanes & above(middle, begin);
     const Mask second = lanes & (above(end, middle) | ~first);
     // Without branches, which could not be foretold.
@@ -288,13 +288,14 @@ void FieldWalk<Instructions>::walk(Mask lanes) {
 
 /// Looks for changes of sign in a cell that has no halves to ask.
 template <class Instructions>
-void FieldWalk<Instructions>::examine(const FieldCell& cell, const FieldDetail& detail,
-                                      Mask lanes, const Line& line, Floats spread, Floats begin, Floats end) {
+void FieldWalk<Instructions>::examine(const FieldCell& cell, Mask lanes, const Line& line,
+                                      Floats spread, Floats begin, Floats end) {
   const Floats steep = abs(line.slope);
-  const float bound = cell.above.load(std::memory_order_relaxed);
-  const Mask rough = lanes & ~(std::isfinite(bound) ? above(steep, spread) : 0);
+  const float bound = cell.error;
+  const bool bounded = std::isfinite(bound);
+  const Mask rough = lanes & ~(bounded ? above(steep, spread) : 0);
   if (rough != 0) {
-    turn(cell, detail, rough, line.slope, spread, begin, end);
+    turn(rough, bounded, line.slope, spread, begin, end);
     lanes &= ~rough;
     if (lanes == 0) return;
   }
@@ -341,28 +342,22 @@ void FieldWalk<Instructions>::examine(const FieldCell& cell, const FieldDetail& 
 /// Lines along which the function may turn round in the cell. Most keep clear of zero all the same, as
 /// a few values tell; others are followed one by one.
 template <class Instructions>
-void FieldWalk<Instructions>::turn(const FieldCell& cell, const FieldDetail& detail, Mask lanes,
-                                   Floats slope, Floats spread, Floats begin, Floats end) {
+void FieldWalk<Instructions>::turn(Mask lanes, bool bounded, Floats slope, Floats spread,
+                                   Floats begin, Floats end) {
   slope.store(slope_.data());
   spread.store(spread_.data());
   begin.store(from_.data());
   end.store(to_.data());
-  const bool bounded = std::isfinite(cell.above.load(std::memory_order_relaxed));
-  Mask clear = 0;
-  for (std::size_t first = 0; first < FieldPacket::size && bounded; first += group) {
+  for (std::size_t first = 0; first < FieldPacket::size; first += group) {
     const Mask some = lanes >> first & all_of_group;
-    if (some != 0) clear |= clear_of_zero(first, some) << first;
+    if (some != 0) turn(first, some, bounded);
   }
-  each_bit(lanes & ~clear & packet_.open_, [&](std::size_t i) {
-    packet_.alone(i, cell, detail, from_[i], to_[i]);
-  });
 }
 
-/// Which lines of a group have no root between from_ and to_, as far as that is found out quickly; their
-/// sides are settled.
 template <class Instructions>
-auto FieldWalk<Instructions>::clear_of_zero(std::size_t first, Mask lanes) -> Mask {
+void FieldWalk<Instructions>::turn(std::size_t first, Mask lanes, bool bounded) {
   const Doubles zero = Doubles::all(0);
+  const Doubles half = Doubles::all(0.5);
   const Doubles begin = Doubles::widened(&from_[first]);
   const Doubles end = Doubles::widened(&to_[first]);
   const Doubles slope = Doubles::widened(&slope_[first]);
@@ -383,30 +378,56 @@ auto FieldWalk<Instructions>::clear_of_zero(std::size_t first, Mask lanes) -> Ma
   };
   const Doubles a = values(first, begin);
   const Doubles b = values(first, end);
-  const Doubles length = end - begin;
-  Mask found = lanes & clear(a, b, length);
-  if (found != lanes) {
-    const Doubles half = length * Doubles::all(0.5);
-    const Doubles middle = values(first, begin + half);
-    found |= lanes & clear(a, middle, half) & clear(middle, b, half);
-  }
-  const Mask outside = found & above(a, zero);
+  const Mask all_clear = bounded ? lanes & clear(a, b, end - begin) : 0;
+  settle(first, all_clear, a);
+  lanes &= ~all_clear;
+  if (lanes == 0) return;
+  const Doubles middle = (begin + end) * half;
+  const Doubles m = values(first, middle);
+  const Mask front = bounded ? lanes & clear(a, m, middle - begin) : 0;
+  const Mask back = bounded ? lanes & clear(m, b, end - middle) : 0;
+  settle(first, front, a);
+  alignas(64) std::array<double, group> from, to, between;
+  a.store(from.data());
+  b.store(to.data());
+  m.store(between.data());
+  alignas(64) std::array<double, group> where;
+  middle.store(where.data());
+  each_bit(lanes & ~(front & back), [&](std::size_t i) {
+    const std::size_t lane = first + i;
+    const Mask bit = Mask{1} << i;
+    const auto begins = static_cast<double>(from_[lane]);
+    const auto ends = static_cast<double>(to_[lane]);
+    const auto s = static_cast<double>(slope_[lane]);
+    const auto w = static_cast<double>(spread_[lane]);
+    const Interval slopes = bounded ? Interval(s - w, s + w) : Interval::entire();
+    if ((front & bit) == 0) {
+      packet_.alone(lane, {begins, where[i], from[i], between[i], slopes});
+    }
+    if ((back & bit) == 0 && (packet_.open_ >> lane & 1) != 0) {
+      packet_.alone(lane, {where[i], ends, between[i], to[i], slopes});
+    }
+  });
+}
+
+/// Settles the side of some lines of a group, where at the beginning they have values `v`.
+template <class Instructions>
+void FieldWalk<Instructions>::settle(std::size_t first, Mask lanes, Doubles v) {
   const Floats where = load(from_);
+  const Mask outside = lanes & above(v, Doubles::all(0));
   if (outside != 0) settle(outside << first, false, where);
-  if (outside != found) settle((found & ~outside) << first, true, where);
-  return found;
+  if (outside != lanes) settle((lanes & ~outside) << first, true, where);
 }
 
 /// Values of the function, less the threshold, at `u` on a group of lines.
 template <class Instructions>
 auto FieldWalk<Instructions>::values(std::size_t first, Doubles u) -> Doubles {
-  std::array<functions::Pack, 3> places;
+  functions::Pack* const places = evaluator_.arguments();
   for (std::size_t k = 0; k < 3; ++k) {
     const Doubles p = Doubles::load(&packet_.p_[k][first]);
     (p + Doubles::load(&packet_.d_[k][first]) * u).store(places[k].v.data());
   }
-  const functions::Pack g = evaluator_(places);
-  return Doubles::load(g.v.data()) - Doubles::all(field_.threshold());
+  return Doubles::load(evaluator_.in_place().v.data()) - Doubles::all(field_.threshold());
 }
 
 template <class Instructions>

@@ -14,9 +14,6 @@ namespace {
 using functions::Function;
 using State = FieldLink::State;
 
-/// Slopes are known well if they vary by less than this share of the gradient.
-constexpr double smoothness = 0.7;
-
 /// The least float that is not below `v`.
 float rounded_up(double v) {
   const auto f = static_cast<float>(v);
@@ -34,26 +31,7 @@ dvec3 hair_around(const Bounds3& box) {
   return 1e-6 * (box.hi - box.lo) + 1e-13 * (farthest.x + farthest.y + farthest.z);
 }
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-double load(const std::atomic<float>& v) {
-  return static_cast<double>(v.load(std::memory_order_relaxed));
-}
 dvec3 to_dvec3(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
-
-/// What a linear function, value + slope · q with q from the field's centre, is over a cell; a hair
-/// more, for rounding.
-struct Spread {
-  double lo, hi;
-};
-Spread spread_over(double value, const dvec3& g, const FieldDetail& cell, const dvec3& centre,
-                   const dvec3& hair) {
-  const dvec3 q = cell.centre - centre;
-  const double middle = value + glm::dot(g, q);
-  const double rounding = 1e-14 * (std::abs(value) + glm::dot(glm::abs(g), glm::abs(q)));
-  const double radius = (1 + 1e-8) * glm::dot(glm::abs(g), cell.half + hair) + rounding;
-  return {middle - radius, middle + radius};
-}
 
 /// The axis along which the function and its slope vary most over a cell, as far as is known; else
 /// the longest. What varies in slope counts twice: it is what keeps searches from being short.
@@ -125,9 +103,15 @@ FunctionField::FunctionField(functions::FunctionRef function, double threshold, 
   if (!has_bounds_) return;
   trends_.emplace(function_);
   root_detail_.centre = centre();
-  root_detail_.half = half();
-  root_detail_.tape = function_.get();
-  examine(root_, root_detail_, function_workspace(generator_));
+  examine(root_, root_detail_, half(), function_workspace(generator_));
+}
+
+dvec3 FunctionField::half_of(const FieldDetail& cell) const {
+  dvec3 half = this->half();
+  for (int k = 0; k < 3; ++k) {
+    half[k] = std::ldexp(half[k], -cell.halvings[static_cast<std::size_t>(k)]);
+  }
+  return half;
 }
 
 FieldLink FunctionField::split(const FieldCell& cell, FieldLink link, std::size_t next) const {
@@ -135,85 +119,39 @@ FieldLink FunctionField::split(const FieldCell& cell, FieldLink link, std::size_
   FieldHalves* const made = store_.make();
   const FieldDetail& parent = link.detail();
   const int k = link.axis();
-  made->plane = parent.centre[k];
-  made->short_plane = static_cast<float>(parent.centre[k] - centre()[k]);
-  const double bound = load(cell.above);
+  dvec3 half = half_of(parent);
+  half[k] *= 0.5;
+  const dvec3 slope = to_dvec3(cell.slope);
+  const double swing = glm::dot(glm::abs(slope), half + hair_) + static_cast<double>(cell.error);
   for (const std::size_t i : {1 - next, next}) {  // what is examined last is remembered
     FieldDetail& part = made->details[i];
-    part = parent;
-    part.half[k] *= 0.5;
-    part.centre[k] += i == 0 ? -part.half[k] : part.half[k];
-    part.depth = parent.depth + 1;
+    part.centre = parent.centre;
+    part.centre[k] += i == 0 ? -half[k] : half[k];
+    part.halvings = parent.halvings;
+    ++part.halvings[static_cast<std::size_t>(k)];
     part.parent = &parent;
-    FieldCell& half = made->cells[i];
     // What is known of the whole may do.
-    const Spread m =
-        spread_over(static_cast<double>(cell.value), to_dvec3(cell.slope), part, centre(), hair_);
-    if (m.lo > bound) {
-      half.link = FieldLink(State::outside, 0, &part);
-    } else if (m.hi < -bound) {
-      half.link = FieldLink(State::inside, 0, &part);
+    const double middle =
+        static_cast<double>(cell.value) + glm::dot(slope, part.centre - centre());
+    FieldCell& place = made->cells[i];
+    if (middle > swing) {
+      place.link = FieldLink(State::outside, 0, &part);
+    } else if (middle < -swing) {
+      place.link = FieldLink(State::inside, 0, &part);
     } else {
-      examine(half, part, workspace);
+      examine(place, part, half, workspace);
     }
   }
-  const FieldLink halved(link.state() == State::smooth ? State::refined : State::vague, k,
-                         made);
-  if (cell.link.compare_exchange_strong(link, halved, std::memory_order_acq_rel)) {
-    for (const FieldDetail* d = &parent; d != nullptr && tighten(*d); d = d->parent) {
-    }
-    return halved;
-  }
-  return link;  // another thread was faster; its cells are the same, and these are left over
-}
-
-/// Draws the bounds of a halved cell together by those of its halves. False if there was next to
-/// nothing to gain, or nothing that could be of use to cells around it.
-bool FunctionField::tighten(const FieldDetail& detail) const {
-  const FieldCell& cell = *detail.cell;
-  const FieldLink link = cell.link.load(std::memory_order_acquire);
-  if (link.state() == State::refined)
-    return false;  // searches in it must not depend on who came first
-  const auto value = static_cast<double>(cell.value);
-  const dvec3 slope = to_dvec3(cell.slope);
-  double above = -infinite;
-  double below = infinite;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const FieldCell& half = link.halves().cells[i];
-    const FieldDetail& part = link.halves().details[i];
-    const State state = half.link.load(std::memory_order_acquire).state();
-    const Spread m = spread_over(value, slope, part, centre(), hair_);
-    Spread lead = m;  // of m where the half leaves the sign open
-    if (state > State::outside) {
-      const Spread ahead = spread_over(value - static_cast<double>(half.value),
-                                       slope - to_dvec3(half.slope), part, centre(), hair_);
-      lead.hi = std::min(m.hi, ahead.hi + load(half.above));
-      lead.lo = std::max(m.lo, ahead.lo + load(half.below));
-    }
-    if (state != State::outside) above = std::max(above, lead.hi);
-    if (state != State::inside) below = std::min(below, lead.lo);
-  }
-  const double old_above = load(cell.above);
-  const double old_below = load(cell.below);
-  above = std::min(above, old_above);
-  below = std::max(below, old_below);
-  if (!(old_above - above + below - old_below > 0.01 * (old_above - old_below))) return false;
-  cell.above.store(rounded_up(above), std::memory_order_relaxed);
-  cell.below.store(-rounded_up(-below), std::memory_order_relaxed);
-  const Spread m = spread_over(value, slope, detail, centre(), hair_);
-  if (m.hi <= above && m.lo >= below) return false;
-  if (link.state() == State::vague) {
-    cell.link.store({State::halved, link.axis(), &link.halves()}, std::memory_order_release);
-  }
-  return true;
+  const FieldLink halved(link.state() == State::smooth ? State::refined : State::halved, k, made);
+  // If another thread was faster, its cells are the same, and these are left over.
+  return cell.link.compare_exchange_strong(link, halved, std::memory_order_acq_rel) ? halved : link;
 }
 
 /// Fills in what is known about a cell from the bounds of the function over it.
-void FunctionField::examine(FieldCell& cell, FieldDetail& detail,
+void FunctionField::examine(FieldCell& cell, FieldDetail& detail, const dvec3& half,
                             functions::Workspace& workspace) const {
   const dvec3& c = detail.centre;
-  detail.cell = &cell;
-  const dvec3 reach = detail.half + hair_;
+  const dvec3 reach = half + hair_;
   const std::array<Interval, 3> box{Interval{c.x - reach.x, c.x + reach.x},
                                     Interval{c.y - reach.y, c.y + reach.y},
                                     Interval{c.z - reach.z, c.z + reach.z}};
@@ -245,12 +183,13 @@ void FunctionField::examine(FieldCell& cell, FieldDetail& detail,
   const double variation = glm::dot(spread, spread);
   known = known && std::isfinite(steepness) && std::isfinite(variation);
   const bool smooth = known && variation <= smoothness * smoothness * steepness;
-  const State state = smooth                       ? State::smooth
-                      : detail.depth < field_depth ? State::whole
-                                                   : State::rough;
-  set(state, axis_to_halve(trend, detail.half));
-  cell.above = std::numeric_limits<float>::infinity();
-  cell.below = -std::numeric_limits<float>::infinity();
+  const State state = smooth                         ? State::smooth
+                      : detail.depth() < field_depth ? State::whole
+                                                     : State::rough;
+  const int axis = axis_to_halve(trend, half);
+  set(state, axis);
+  cell.plane = static_cast<float>(c[axis] - centre()[axis]);
+  cell.error = std::numeric_limits<float>::infinity();
   if (!known) return;
   const double value = (*trends_)(std::array{c.x, c.y, c.z}, workspace, memory) - threshold_;
   const dvec3 from_centre = c - centre();
@@ -259,11 +198,10 @@ void FunctionField::examine(FieldCell& cell, FieldDetail& detail,
   // Lines are followed in single precision as well, from one end of the box to the other.
   const double rounding =
       std::abs(at_centre - static_cast<double>(cell.value)) +
-      short_rounding * (std::abs(at_centre) + 2 * glm::dot(glm::abs(slope), half()));
-  cell.above = rounded_up(rounding + glm::dot(spread, reach));
-  cell.below = -cell.above;
+      short_rounding * (std::abs(at_centre) + 2 * glm::dot(glm::abs(slope), this->half()));
+  cell.error = rounded_up(rounding + glm::dot(spread, reach));
   // The linear bounds may settle what the range could not.
-  const double swing = static_cast<double>(cell.above) + glm::dot(glm::abs(slope), reach);
+  const double swing = static_cast<double>(cell.error) + glm::dot(glm::abs(slope), reach);
   if (value > swing) set(State::outside);
   if (value < -swing) set(State::inside);
 }

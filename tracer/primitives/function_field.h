@@ -27,21 +27,23 @@ namespace durer::tracer {
 struct FieldCell;
 struct FieldHalves;
 
-/// Greatest number of halvings above a cell: some hundred cells along each edge of the box …
-inline constexpr int field_depth = 22;
+// How far searches are spared by making cells.
+/// Slopes are known well if they vary by less than this share of the gradient: then a cell needs no
+/// halves. Anything from 0.35 to 0.9 takes the same time.
+inline constexpr double smoothness = 0.7;
+/// Greatest number of halvings above a cell: 256 cells along each edge of the box …
+inline constexpr int field_depth = 24;
 /// … and above cells for lines that graze the surface.
 inline constexpr int grazing_depth = 24;
 
 /// What is needed of a cell only where the surface may be inside it.
 struct alignas(32) FieldDetail {
   dvec3 centre{0.0};
-  dvec3 half{0.0};
   std::array<float, 3> spread{};  // the slope along axis k is slope[k] ± spread[k]
-  std::int32_t depth = 0;
-  /// The function, without what makes no difference in this cell.
-  const functions::Function* tape = nullptr;
-  const FieldCell* cell = nullptr;      // that this is about
-  const FieldDetail* parent = nullptr;  // the cell that this is half of
+  std::array<std::uint8_t, 3> halvings{};  // along each axis, of the box
+  const FieldDetail* parent = nullptr;     // the cell that this is half of
+
+  [[nodiscard]] int depth() const { return halvings[0] + halvings[1] + halvings[2]; }
 };
 
 /// What kind of cell it is, and where to find more about it, in one word: cells of the same parent
@@ -54,8 +56,7 @@ class FieldLink {
     smooth,   // on both sides perhaps; the slopes are known well
     rough,    // likewise, but they are not, and the cell is as small as cells get
     whole,    // likewise, and it will have halves when somebody comes by
-    halved,   // its linear bounds tell the sign for some lines …
-    vague,    // … or for none
+    halved,   // its halves know more
     refined,  // smooth, and halved for lines that graze the surface
   };
   FieldLink() = default;
@@ -85,23 +86,19 @@ class FieldLink {
 };
 
 /// Where a function lies in relation to a threshold, over a cell of space. At a point c + q of the
-/// cell, c the centre of the whole field, let m be value + slope · q.
+/// cell, c the centre of the whole field, it is within `error` of m = value + slope · q, as long as it
+/// may have either sign. A walk through halves needs no more than this line of memory.
 struct FieldCell {
   float value = 0;
   std::array<float, 3> slope{};
-  /// Where m > above the point is outside, where m < below it is inside. A cell without halves, or
-  /// a refined one, has above = -below = the greatest difference between m and the function.
-  /// Otherwise both draw together when more is known about the halves.
-  mutable std::atomic<float> above{0};
-  mutable std::atomic<float> below{0};
+  float error = 0;
+  float plane = 0;  // between the halves, if it has any: their coordinate, from the field's centre
   mutable std::atomic<FieldLink> link{};
 };
 
 /// The lower and the higher half of a cell.
 struct FieldHalves {
   alignas(64) std::array<FieldCell, 2> cells;
-  double plane = 0;  // the coordinate between them …
-  float short_plane = 0;  // … from the centre of the field
   std::array<FieldDetail, 2> details;
 
   /// Of the cell that they are halves of.
@@ -161,8 +158,9 @@ class FunctionField {
   [[nodiscard]] bool has_bounds() const { return has_bounds_; }
 
  private:
-  void examine(FieldCell& cell, FieldDetail& detail, functions::Workspace& workspace) const;
-  [[nodiscard]] bool tighten(const FieldDetail& detail) const;
+  void examine(FieldCell& cell, FieldDetail& detail, const dvec3& half,
+               functions::Workspace& workspace) const;
+  [[nodiscard]] dvec3 half_of(const FieldDetail& cell) const;
 
   functions::FunctionRef function_;
   std::optional<functions::BoxTrends> trends_;  // if it has bounds
