@@ -35,12 +35,27 @@ struct CameraType {
 
 [[nodiscard]] const CameraType& camera_type(scene::Camera::Kind kind);
 
+/// Of a pinhole.
+inline void perspective_ray(const scene::Camera& camera, double u, double v, CameraRay& out) {
+  const dvec3 d = camera.direction + u * camera.right + v * camera.up;
+  out.ray.o = camera.location;
+  out.ray.d.x = d.x;
+  out.ray.d.y = d.y;
+  out.ray.d.z = d.z;
+  out.plane.x = u;
+  out.plane.y = v;
+}
+
 /// A camera with everything worked out that does not depend on the place. `in` must outlive it.
 struct Camera {
   explicit Camera(const scene::Camera& in);
 
   [[nodiscard]] bool ray(const PictureSpot& spot, functions::Workspace& workspace,
                          CameraRay& out) const {
+    if (in->kind == scene::Camera::Kind::perspective) {  // by far the most
+      perspective_ray(*in, spot.u, spot.v, out);
+      return true;
+    }
     return type->ray(*this, spot, workspace, out);
   }
   /// A direction in the camera's own axes, which need not be at right angles.

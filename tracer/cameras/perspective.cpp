@@ -5,8 +5,7 @@ namespace durer::tracer::cameras {
 namespace {
 
 bool ray(const Camera& c, const PictureSpot& at, functions::Workspace&, CameraRay& out) {
-  const scene::Camera& in = *c.in;
-  out = {{in.location, in.direction + at.u * in.right + at.v * in.up}, {at.u, at.v}};
+  perspective_ray(*c.in, at.u, at.v, out);
   return true;
 }
 

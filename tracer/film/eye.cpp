@@ -132,7 +132,7 @@ Pixel Eye::sample(int x, int y, std::uint32_t index) {
   return through_lens(at, at, index, part);
 }
 
-bool Eye::camera_ray(double x, double y, int turn, CameraRay& out) {
+DURER_INLINE bool Eye::camera_ray(double x, double y, int turn, CameraRay& out) {
   const RenderOptions& o = *view_->options;
   // Rows are counted from below, so that the last bits are the oracle's.
   const double from_below = o.height - 1 - y;

@@ -61,7 +61,7 @@ class Eye {
  private:
   [[nodiscard]] Pixel see_directly(double x, double y, std::uint32_t index);
   [[nodiscard]] Pixel see_all(double x, double y, std::uint32_t index);
-  [[nodiscard]] bool camera_ray(double x, double y, int turn, CameraRay& out);
+  [[nodiscard]] inline bool camera_ray(double x, double y, int turn, CameraRay& out);
   Pixel plain(double x, double y, std::uint32_t index);
   [[nodiscard]] Pixel through_lens(dvec2 at, dvec2 pixel, std::uint32_t index, int sample);
   [[nodiscard]] Pixel look_along(const CameraRay& ray, double x, double y, std::uint32_t index);

@@ -96,6 +96,7 @@ struct Baked {
       return shape.nearest(ray, t_from, t_to);
     }
   }
+  [[nodiscard]] bool is_in_world() const { return true; }
   [[nodiscard]] const Ray& to_object(const Ray& ray) const { return ray; }
   [[nodiscard]] dvec3 to_object(dvec3 p) const { return p; }
   [[nodiscard]] dvec3 normal_to_world(dvec3 n) const { return n; }
@@ -127,6 +128,7 @@ struct Placed {
   {
     return shape.any(to_object(ray), t_from, t_to);
   }
+  [[nodiscard]] bool is_in_world() const { return to_shape == Affine(); }
   [[nodiscard]] Ray to_object(const Ray& ray) const {
     return {to_shape.point(ray.o), to_shape.vector(ray.d)};
   }
@@ -200,10 +202,14 @@ class TypedStore final : public Store {
                std::span<const std::uint32_t> parts, dvec3* out) const override {
     const Item& item = items_[index];
     if constexpr (requires { item.shape.normals(points, parts, out); }) {
-      std::array<dvec3, most_in_packet> local;
-      for (std::size_t i = 0; i < points.size(); ++i) local[i] = item.to_object(points[i]);
-      item.shape.normals(std::span<const dvec3>(local).first(points.size()), parts, out);
-      for (std::size_t i = 0; i < points.size(); ++i) out[i] = item.normal_to_world(out[i]);
+      if (item.is_in_world()) {
+        item.shape.normals(points, parts, out);
+      } else {
+        std::array<dvec3, most_in_packet> local;
+        for (std::size_t i = 0; i < points.size(); ++i) local[i] = item.to_object(points[i]);
+        item.shape.normals(std::span<const dvec3>(local).first(points.size()), parts, out);
+        for (std::size_t i = 0; i < points.size(); ++i) out[i] = item.normal_to_world(out[i]);
+      }
       normalize_all({out, points.size()});
     } else {
       for (std::size_t i = 0; i < points.size(); ++i) out[i] = normal(index, points[i], parts[i]);
@@ -267,11 +273,17 @@ class TypedStore final : public Store {
                                   std::span<RayQuery* const> queries) {
     const auto& self = static_cast<const TypedStore&>(targets);
     const Item& item = self.items_[index];
+    const bool in_world = item.is_in_world();
     Packet<PacketRay> rays;
     Packet<std::optional<Nearest>> hits;
     for (std::size_t i = 0; i < queries.size(); ++i) {
       const RayQuery& query = *queries[i];
-      ::new (&rays[i]) PacketRay{item.to_object(query.ray), query.t_from, seen_to(query)};
+      const double t_to = seen_to(query);
+      if (in_world) {
+        ::new (&rays[i]) PacketRay{query.ray, query.t_from, t_to};
+      } else {
+        ::new (&rays[i]) PacketRay{item.to_object(query.ray), query.t_from, t_to};
+      }
       ::new (&hits[i]) std::optional<Nearest>();
     }
     item.shape.nearest(rays.first(queries.size()), hits.first(queries.size()),

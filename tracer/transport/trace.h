@@ -189,14 +189,15 @@ class Tracer {
     const dvec3* n = nullptr;
     const Colour* colour = nullptr;
   };
-  // A surface that is being looked at.
+  // A surface that is being looked at. What look() always sets is not cleared before: there is one of
+  // these for every hit.
   struct View {
-    dvec3 p{0.0};
-    dvec3 q{0.0};   // where textures are looked up: p, or (u, v, 0)
+    dvec3 p;
+    dvec3 q;        // where textures are looked up: p, or (u, v, 0)
     dvec3 uv{0.0};  // (u, v, 0) if a layer asks for it
-    dvec3 d{0.0};
-    dvec3 g{0.0};  // unit geometric normal, towards the viewer
-    dvec3 seen{0.0};  // the same as patterns see it: bent, if an entry of the same map came before
+    dvec3 d;
+    dvec3 g;     // unit geometric normal, towards the viewer
+    dvec3 seen;  // the same as patterns see it: bent, if an entry of the same map came before
     const TextureProgram* texture = nullptr;
     std::uint32_t interior = 0;
     std::uint32_t lamps = 0;  // index into Geometry::lamp_sets()
