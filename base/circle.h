@@ -24,12 +24,18 @@ inline constexpr double farthest = 1e6;
 /// More than the error of the series, and of any C library.
 inline constexpr double pad = 1e-15;
 
-/// c[0] + c[1] z + …
+/// c[0] + c[1] z + …, with 8 or 9 coefficients. All but the first two terms are summed in pairs, and
+/// pairs of pairs (Estrin 1960), which need not wait for each other.
 template <std::size_t n, class V>
 [[nodiscard]] DURER_CIRCLE_INLINE V series(const std::array<double, n>& c, V z) {
-  V sum = V{} + c[n - 1];
-  for (std::size_t i = n - 1; i-- > 0;) sum = sum * z + c[i];
-  return sum;
+  static_assert(n == 8 || n == 9);
+  const V z2 = z * z;
+  const V z4 = z2 * z2;
+  V last = V{} + c[7];
+  if constexpr (n == 9) last = last + c[8] * z;
+  const V low = (c[1] + c[2] * z) + (c[3] + c[4] * z) * z2;
+  const V high = (c[5] + c[6] * z) + last * z2;
+  return c[0] + z * (low + high * z4);
 }
 /// ±1/first!, ∓1/(first+2)!, …
 template <std::size_t n>

@@ -89,8 +89,8 @@ struct Lanes<Number_, Register, 1> {
  private:
   static constexpr bool is_float = sizeof(Number) == 4;
 
-  // GCC does not see these in the plain form, and its intrinsics would not fit into code for several
-  // instruction sets.
+  // GCC does not see these in the plain form, and its intrinsics would not fit into code for
+  // several instruction sets.
   static DURER_INLINE Register all_of(Number x) {
 #if defined(__x86_64__) && !defined(__clang__)
     if constexpr (is_float && sizeof(Register) == 64) {

@@ -5,13 +5,13 @@
 #include "tracer/accel/lanes.h"
 #include "tracer/primitives/container.h"
 #include "tracer/primitives/field_search.h"
-#include "tracer/primitives/field_walk.h"
 
 namespace durer::tracer {
 
 using wide::each_bit;
 
-void FieldPacket::run(std::span<const PacketRay> rays, std::span<std::optional<Nearest>> hits) {
+void FieldPacket::run(std::span<const PacketRay> rays, std::span<std::optional<Nearest>> hits,
+                      FieldWalkVersion walk) {
   rays_ = rays;
   hits_ = hits;
   std::fill(hits.begin(), hits.end(), std::nullopt);
@@ -25,7 +25,7 @@ void FieldPacket::run(std::span<const PacketRay> rays, std::span<std::optional<N
     t_from_[i] = ray.t_from;
     t_to_[i] = ray.t_to;
   }
-  walk_field(*this);
+  walk(*this);
 }
 
 void FieldPacket::hit(std::size_t lane, double t, std::uint32_t part) {
@@ -40,9 +40,7 @@ void FieldPacket::settle(Mask lanes, bool inside, const PerLane<float>& where) {
   const Mask starting = lanes & ~known_;
   known_ |= lanes;
   inside_ = (inside_ & ~lanes) | now;
-  each_bit(changed, [&](std::size_t i) {
-    hit(i, begin_[i] + static_cast<double>(where[i]), 0);
-  });
+  each_bit(changed, [&](std::size_t i) { hit(i, begin_[i] + static_cast<double>(where[i]), 0); });
   if (!inside || surface_.open) return;
   each_bit(starting & entering_, [&](std::size_t i) { enter(i); });
 }
@@ -91,8 +89,7 @@ void FieldPacket::alone(std::size_t lane, const Piece& piece) {
 void FieldPacket::leave(Mask lanes) {
   open_ &= ~lanes;
   if (surface_.open) return;
-  each_bit(lanes & known_ & inside_,
-           [&](std::size_t i) { hit_face(i, far_, leave_[i], true); });
+  each_bit(lanes & known_ & inside_, [&](std::size_t i) { hit_face(i, far_, leave_[i], true); });
 }
 
 }  // namespace durer::tracer

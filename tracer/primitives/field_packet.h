@@ -9,6 +9,7 @@
 
 #include "scene/function_surface.h"
 #include "tracer/primitives/crossing.h"
+#include "tracer/primitives/field_walk.h"
 #include "tracer/primitives/function_field.h"
 #include "tracer/primitives/packet.h"
 
@@ -25,7 +26,12 @@ class FieldPacket {
       : field_(field), surface_(surface), least_(least), any_(any) {}
 
   /// Answers up to `size` rays. Each answer depends on its ray and the field only.
-  void run(std::span<const PacketRay> rays, std::span<std::optional<Nearest>> hits);
+  void run(std::span<const PacketRay> rays, std::span<std::optional<Nearest>> hits) {
+    static const FieldWalkVersion fastest = field_walks().back();
+    run(rays, hits, fastest);
+  }
+  void run(std::span<const PacketRay> rays, std::span<std::optional<Nearest>> hits,
+           FieldWalkVersion walk);
 
  private:
   template <class Instructions>
@@ -67,17 +73,17 @@ class FieldPacket {
   // Of a box: where the line meets its planes.
   alignas(64) std::array<PerLane<double>, 3> near_;
   alignas(64) std::array<PerLane<double>, 3> far_;
-  alignas(64) PerLane<double> fine_;   // what counts as nothing, in units of u
+  alignas(64) PerLane<double> fine_;  // what counts as nothing, in units of u
   // In single precision, p from the centre of the field.
   alignas(64) std::array<PerLane<float>, 3> short_p_;
   alignas(64) std::array<PerLane<float>, 3> short_d_;
   alignas(64) std::array<PerLane<float>, 3> inverse_;
   alignas(64) PerLane<float> end_;
   alignas(64) PerLane<float> doubt_;  // errors of u in single precision
-  Mask open_ = 0;      // lanes that are still looking
-  Mask known_ = 0;     // those that know on which side they are …
-  Mask inside_ = 0;    // … and are inside
-  Mask entering_ = 0;  // those that begin at the face of the container
+  Mask open_ = 0;                     // lanes that are still looking
+  Mask known_ = 0;                    // those that know on which side they are …
+  Mask inside_ = 0;                   // … and are inside
+  Mask entering_ = 0;                 // those that begin at the face of the container
 };
 
 }  // namespace durer::tracer
