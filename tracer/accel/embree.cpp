@@ -2,10 +2,10 @@
 // rounded outward. The answers, in double precision, live in the query.
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -251,9 +251,10 @@ class EmbreeAccel final : public Accel {
   /// Puts it last.
   void find_companion() {
     const auto together = [](const Boxed& b) { return b.target.targets->nearest_together != nullptr; };
-    const auto others = std::partition(few_.begin(), few_.end(), std::not_fn(together));
-    if (few_.end() - others != 1) return;
-    companion_ = {others->target.targets, others->target.index};
+    if (std::count_if(few_.begin(), few_.end(), together) != 1) return;
+    const auto it = std::find_if(few_.begin(), few_.end(), together);
+    std::rotate(it, it + 1, few_.end());
+    companion_ = {few_.back().target.targets, few_.back().target.index};
     companion_only_ = few_.size() == 1 && lone_.empty();
   }
 

@@ -71,6 +71,28 @@ SceneBuilder row_of_many() {
   return b;
 }
 
+/// One of them, in a space of its own: alone, or among a few others.
+SceneBuilder companion(bool alone) {
+  SceneBuilder b;
+  if (!alone) {
+    b.show(primitive("plane", {0, 1, 0, -0.8}));
+    b.show(primitive("sphere", {0.8, 0.4, -0.6, 0.5}));
+  }
+  scene::Object o = gyroid(5, 0.1, 1);
+  if (!alone) o.transform = Transform::rotate_deg({20, 40, 0});
+  b.show(o);
+  if (!alone) b.show(primitive("sphere", {-0.9, -0.3, 0.6, 0.5}));
+  return b;
+}
+
+SceneBuilder scene_of(int number) {
+  switch (number) {
+    case 0: return mixed_scene();
+    case 1: return row_of_many();
+    default: return companion(number == 2);
+  }
+}
+
 /// A bundle of rays that start near one place and go about the same way.
 std::vector<Ray> bundle(Random& random, std::size_t count) {
   const dvec3 o = 4.0 * direction(random);
@@ -92,9 +114,9 @@ bool same(const Hit& a, const Hit& b) {
 }  // namespace
 
 TEST_CASE("together: rays side by side meet what each meets alone", "[tracer][together]") {
-  const bool many = GENERATE(false, true);
+  const int scene = GENERATE(0, 1, 2, 3);
   const auto hierarchy = GENERATE(Hierarchy::embree, Hierarchy::linear);
-  Geometry geometry = (many ? row_of_many() : mixed_scene()).build(hierarchy);
+  Geometry geometry = scene_of(scene).build(hierarchy);
   geometry.set_opaque(std::vector<bool>(geometry.surfaces().size(), true));
   REQUIRE(geometry.answers_together());
   const auto scratch = geometry.make_scratch();
