@@ -23,13 +23,9 @@ void ask(const PutOff::Object& object, Packet<RayQuery>& queries) {
     RayQuery& query = queries[static_cast<std::size_t>(std::countr_zero(left))];
     if (!is_answered(query)) open[count++] = &query;
   }
+  // One that is left alone, too: its answer does not depend on who goes with it.
   const Targets& targets = *object.targets;
-  if (count == 1) {
-    open[0]->later = nullptr;
-    targets.nearest(targets, object.index, *open[0]);
-  } else if (count > 1) {
-    targets.nearest_together(targets, object.index, std::span(open).first(count));
-  }
+  if (count > 0) targets.nearest_together(targets, object.index, std::span(open).first(count));
 }
 
 /// Of `count` rays.
@@ -55,7 +51,7 @@ void ask_now(RayQuery& query) {
 }
 
 void Geometry::closest(std::span<MeetingRay> rays, RayKind kind, GeometryScratch& scratch) const {
-  if (!state_->answers_together || rays.size() <= 1) {
+  if (!state_->answers_together) {
     for (MeetingRay& r : rays) r.met = closest(*r.ray, r.t_from, r.t_to, kind, r.hit, scratch);
     return;
   }
