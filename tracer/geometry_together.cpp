@@ -28,7 +28,7 @@ void ask(const PutOff::Object& object, Packet<RayQuery>& queries) {
   if (count > 0) targets.nearest_together(targets, object.index, std::span(open).first(count));
 }
 
-/// Of `count` rays.
+/// Of `count` rays, at least one.
 void ask_put_off(const Accel& accel, std::size_t count, GeometryScratch& scratch) {
   const PutOff& list = scratch.put_off;
   for (std::uint32_t i = 0; i < list.count; ++i) ask(list.objects[i], scratch.queries);
@@ -51,6 +51,7 @@ void ask_now(RayQuery& query) {
 }
 
 void Geometry::closest(std::span<MeetingRay> rays, RayKind kind, GeometryScratch& scratch) const {
+  if (rays.empty()) return;
   if (!state_->answers_together) {
     for (MeetingRay& r : rays) r.met = closest(*r.ray, r.t_from, r.t_to, kind, r.hit, scratch);
     return;

@@ -13,6 +13,7 @@ namespace durer::tracer {
 
 // Where the order of rays matters, they are followed one by one.
 void Tracer::trace(std::span<Sample> samples) {
+  if (samples.empty()) return;  // where cameras see nothing
   if (!together_) {
     for (Sample& s : samples) {
       scratch_->noise = s.noise;

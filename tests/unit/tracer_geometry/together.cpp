@@ -153,6 +153,19 @@ TEST_CASE("together: rays side by side meet what each meets alone", "[tracer][to
   CHECK(shadows > 300);
 }
 
+TEST_CASE("together: no rays, and one", "[tracer][together]") {
+  const Geometry geometry = only(gyroid(5, 0.1, 1));
+  const auto scratch = geometry.make_scratch();
+  geometry.closest(std::span<MeetingRay>(), RayKind::image, *scratch);
+  geometry.occluded(std::span<ShadowRay>(), *scratch);
+  const Ray ray{{0.1, 0.2, -3}, {0, 0, 1}};
+  MeetingRay one;
+  one.ray = &ray;
+  one.t_to = no_hit_depth;
+  geometry.closest(std::span(&one, 1), RayKind::image, *scratch);
+  CHECK(one.met);
+}
+
 TEST_CASE("together: scenes without such objects know it", "[tracer][together]") {
   CHECK_FALSE(only(primitive("sphere", {0, 0, 0, 1})).answers_together());
 }
