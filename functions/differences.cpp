@@ -5,8 +5,7 @@
 
 namespace durer::functions {
 
-Differences::Differences(FunctionRef function)
-    : here_(*function), step_(4 * function->registers) {
+Differences::Differences(FunctionRef function) : here_(*function), step_(4 * function->registers) {
   for (Register k = 0; k < 3; ++k) {
     const Register distance = (k + 1) * function->registers;
     const unsigned axis = 1U << k;
@@ -16,33 +15,40 @@ Differences::Differences(FunctionRef function)
   here_.registers = step_ + 1;
 }
 
+/// Runs all tapes on a frame whose first registers are a place.
 template <class T>
-std::array<T, 4> Differences::evaluate(const std::array<T, 3>& p, double step,
-                                       Workspace& w) const {
-  FrameStack<T>& stack = frames(w, T());
-  const auto mark = stack.mark();
-  T* const registers = stack.push(here_.registers);
-  copy_all(p.data(), p.size(), registers);
+void Differences::evaluate(T* registers, double step, Workspace& w) const {
   spread_all(&step, 1, registers + step_);
   Machine<T> here(here_, registers, w);
   here.load_constants();
   here.run();
-  std::array<T, 4> values;
-  copy_all(registers + here_.results[0], 1, values.data());
-  for (std::size_t k = 0; k < 3; ++k) {
-    Machine<T>(beside_[k], registers, w).run();
-    copy_all(registers + beside_[k].results[0], 1, values.data() + k + 1);
-  }
-  stack.pop_to(mark);
-  return values;
+  for (const Function& tape : beside_) Machine<T>(tape, registers, w).run();
 }
 
 std::array<double, 4> Differences::operator()(const dvec3& p, double step, Workspace& w) const {
-  return evaluate(std::array{p.x, p.y, p.z}, step, w);
+  const auto mark = w.points.mark();
+  double* const registers = w.points.push(here_.registers);
+  for (int k = 0; k < 3; ++k) registers[k] = p[k];
+  evaluate(registers, step, w);
+  const std::array<double, 4> values{registers[here_.results[0]], registers[beside_[0].results[0]],
+                                     registers[beside_[1].results[0]],
+                                     registers[beside_[2].results[0]]};
+  w.points.pop_to(mark);
+  return values;
 }
-std::array<Pack, 4> Differences::operator()(const std::array<Pack, 3>& p, double step,
-                                            Workspace& w) const {
-  return evaluate(p, step, w);
+
+void Differences::operator()(const std::array<const double*, 3>& p, double step,
+                             const std::array<double*, 3>& out, Workspace& w) const {
+  const auto mark = w.batches.mark();
+  Pack* const registers = w.batches.push(here_.registers);
+  for (std::size_t k = 0; k < 3; ++k) simd::best_tape_lanes->copy(p[k], 1, registers + k);
+  evaluate(registers, step, w);
+  const Pack& here = registers[here_.results[0]];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Pack& beside = registers[beside_[k].results[0]];
+    for (std::size_t i = 0; i < Pack::lanes; ++i) out[k][i] = beside.v[i] - here.v[i];
+  }
+  w.batches.pop_to(mark);
 }
 
 }  // namespace durer::functions

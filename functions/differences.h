@@ -16,14 +16,14 @@ class Differences {
 
   /// f(p), f(p.x + step, p.y, p.z), f(p.x, p.y + step, p.z), f(p.x, p.y, p.z + step).
   [[nodiscard]] std::array<double, 4> operator()(const dvec3& p, double step, Workspace& w) const;
-  /// The same at eight points.
-  [[nodiscard]] std::array<Pack, 4> operator()(const std::array<Pack, 3>& p, double step,
-                                               Workspace& w) const;
+  /// The last three less the first, at eight points: p and `out` are arrays of eight coordinates
+  /// along x, y, z. These are best kept as aligned as a Pack.
+  void operator()(const std::array<const double*, 3>& p, double step,
+                  const std::array<double*, 3>& out, Workspace& w) const;
 
  private:
   template <class T>
-  [[nodiscard]] std::array<T, 4> evaluate(const std::array<T, 3>& p, double step,
-                                          Workspace& w) const;
+  void evaluate(T* registers, double step, Workspace& w) const;
 
   // All work on one frame: the function at p and the points beside it, then the instructions that
   // depend on x, y, z at these, each on registers of its own.

@@ -34,6 +34,7 @@ add_library(durer_geometry STATIC
   primitives/julia_set.cpp primitives/julia_lanes.cpp
   primitives/mesh_shape.cpp
   primitives/outline.cpp
+  primitives/packet.cpp
   primitives/profile.cpp
   primitives/registry.cpp
   primitives/sampled_search.cpp

@@ -27,7 +27,7 @@ struct Body {
   bool inverted = false;
   std::uint32_t index = 0;  // shape, index into Parts::solids, or number of the placement
   std::uint32_t interior = 0;
-  const Store* store = nullptr;  // of a primitive
+  const Store* store = nullptr;     // of a primitive
   std::uint32_t box = scene::none;  // index into Group::boxes; none: nothing is known
 };
 
@@ -98,9 +98,10 @@ struct Geometry::State {
   Surroundings around;
   Parts parts;
   std::vector<Placement> placements;
-  std::vector<std::unique_ptr<Group>> groups;  // those within others come first; the last: the world
+  std::vector<std::unique_ptr<Group>>
+      groups;  // those within others come first; the last: the world
   std::vector<PlacementTargets::Contents> contents;  // of the groups
-  const Accel* accel = nullptr;  // of the world
+  const Accel* accel = nullptr;                      // of the world
   mutable std::once_flag casters_found;
   mutable CasterIndex casters;  // of the world
   bool translucent_shadows = true;
@@ -119,11 +120,13 @@ struct Geometry::State {
                                GeometryScratch& scratch) const {
     return {ray, t_from, t_to, &parts, &scratch.sweep, nullptr, {}, {}, mask_of(kind), false};
   }
+  [[nodiscard]] static double after(double t) {
+    return t * (1 + std::numeric_limits<double>::epsilon());
+  }
   /// Of what stops light behind t_from.
   [[nodiscard]] RayQuery shadow_query(const Ray& ray, double t_from, double t_to,
                                       GeometryScratch& scratch) const {
-    const double after = t_from * (1 + std::numeric_limits<double>::epsilon());
-    return {ray, after, t_to, &parts, &scratch.sweep, nullptr, {}, {}, blocks_light, true};
+    return {ray, after(t_from), t_to, &parts, &scratch.sweep, nullptr, {}, {}, blocks_light, true};
   }
   /// All of a hit but its normal and, in shared contents, the way down.
   void fill_in(const RayQuery& query, Hit& hit) const {
@@ -143,6 +146,10 @@ struct Geometry::State {
   void orient(Hit& hit) const {
     if (leaf_inverted[hit.leaf] != 0) hit.n = -hit.n;
   }
+  // Rays that all ask one object and nobody else (geometry_together.cpp).
+  [[nodiscard]] Accel::Companion only_companion() const;
+  void closest_on(const Accel::Companion& one, std::span<MeetingRay> rays, RayKind kind) const;
+  void occluded_by(const Accel::Companion& one, std::span<ShadowRay> rays) const;
   /// The normals of hits in the world itself (geometry_together.cpp).
   void add_normals(std::span<MeetingRay> rays) const;
   void add_normals_of_shape(std::span<Hit* const> hits) const;

@@ -5,6 +5,7 @@
 #include <new>
 #include <utility>
 
+#include "tracer/accel/lanes.h"
 #include "tracer/geometry_state.h"
 
 namespace durer::tracer {
@@ -52,6 +53,9 @@ void ask_now(RayQuery& query) {
 
 void Geometry::closest(std::span<MeetingRay> rays, RayKind kind, GeometryScratch& scratch) const {
   if (rays.empty()) return;
+  if (const auto one = state_->only_companion(); one.targets != nullptr) {
+    return state_->closest_on(one, rays, kind);
+  }
   if (!state_->answers_together) {
     for (MeetingRay& r : rays) r.met = closest(*r.ray, r.t_from, r.t_to, kind, r.hit, scratch);
     return;
@@ -83,6 +87,9 @@ void Geometry::occluded(std::span<ShadowRay> rays, GeometryScratch& scratch) con
     for (ShadowRay& r : rays) r.blocked = occluded(r.ray, r.t_from, r.t_to, scratch);
     return;
   }
+  if (const auto one = state_->only_companion(); one.targets != nullptr) {
+    return state_->occluded_by(one, rays);
+  }
   scratch.put_off.count = 0;
   const bool others = !state_->accel->companion_only();
   for (std::uint32_t i = 0; i < rays.size(); ++i) {
@@ -97,6 +104,60 @@ void Geometry::occluded(std::span<ShadowRay> rays, GeometryScratch& scratch) con
   for (std::size_t i = 0; i < rays.size(); ++i) {
     rays[i].blocked = scratch.queries[i].found.store != nullptr;
   }
+}
+
+/// The object that is alone in the world, if it answers whole packets and nothing hides parts of
+/// it.
+Accel::Companion Geometry::State::only_companion() const {
+  const Accel::Companion& one = accel->companion();
+  if (!accel->companion_only() || one.targets->tags[one.index].gated) return {};
+  return one;
+}
+
+void Geometry::State::closest_on(const Accel::Companion& one, std::span<MeetingRay> rays,
+                                 RayKind kind) const {
+  const Tag& tag = one.targets->tags[one.index];
+  PacketHits hits;
+  if ((tag.mask & mask_of(kind)) != 0) {
+    PacketRays packet;
+    for (const MeetingRay& r : rays) packet.add(*r.ray, r.t_from, r.t_to);
+    packet.fill_up();
+    one.targets->packet(*one.targets, one.index, packet, false, hits);
+  }
+  for (std::size_t i = 0; i < rays.size(); ++i) rays[i].met = (hits.met >> i & 1) != 0;
+  if (hits.met == 0) return;
+  const auto& store = static_cast<const Store&>(*one.targets);
+  const std::uint32_t interior = leaves[tag.leaf].inner_interior;
+  PacketPoints points;
+  wide::each_bit(hits.met, [&](std::size_t i) {
+    Hit& hit = rays[i].hit;
+    hit.t = hits.t[i];
+    hit.leaf = tag.leaf;
+    hit.interior = interior;
+    hit.p = rays[i].ray->at(hit.t);
+    hit.store = &store;
+    hit.shape = one.index;
+    hit.part = hits.part[i];
+    hit.depth = 0;
+    points.add(hit.p, hit.part);
+  });
+  points.fill_up();
+  PacketVectors normals;
+  store.normals(one.index, points, normals);
+  const double sign = leaf_inverted[tag.leaf] != 0 ? -1 : 1;
+  std::size_t from = 0;
+  wide::each_bit(hits.met, [&](std::size_t i) { rays[i].hit.n = sign * normals[from++]; });
+}
+
+void Geometry::State::occluded_by(const Accel::Companion& one, std::span<ShadowRay> rays) const {
+  PacketHits hits;
+  if ((one.targets->tags[one.index].mask & blocks_light) != 0) {
+    PacketRays packet;
+    for (const ShadowRay& r : rays) packet.add(r.ray, after(r.t_from), r.t_to);
+    packet.fill_up();
+    one.targets->packet(*one.targets, one.index, packet, true, hits);
+  }
+  for (std::size_t i = 0; i < rays.size(); ++i) rays[i].blocked = (hits.met >> i & 1) != 0;
 }
 
 void Geometry::State::add_normals(std::span<MeetingRay> rays) const {
@@ -127,17 +188,11 @@ void Geometry::State::add_normals(std::span<MeetingRay> rays) const {
 }
 
 void Geometry::State::add_normals_of_shape(std::span<Hit* const> hits) const {
-  std::array<dvec3, most_in_packet> points;
-  std::array<dvec3, most_in_packet> normals;
-  std::array<std::uint32_t, most_in_packet> faces;
-  for (std::size_t i = 0; i < hits.size(); ++i) {
-    points[i] = hits[i]->p;
-    faces[i] = hits[i]->part;
-  }
-  hits.front()->store->normals(hits.front()->shape,
-                               std::span<const dvec3>(points).first(hits.size()),
-                               std::span<const std::uint32_t>(faces).first(hits.size()),
-                               normals.data());
+  PacketPoints points;
+  for (const Hit* hit : hits) points.add(hit->p, hit->part);
+  points.fill_up();
+  PacketVectors normals;
+  hits.front()->store->normals(hits.front()->shape, points, normals);
   for (std::size_t i = 0; i < hits.size(); ++i) {
     hits[i]->n = normals[i];
     orient(*hits[i]);

@@ -1,7 +1,5 @@
 #include "tracer/primitives/field_packet.h"
 
-#include <algorithm>
-
 #include "tracer/accel/lanes.h"
 #include "tracer/primitives/container.h"
 #include "tracer/primitives/field_search.h"
@@ -10,27 +8,9 @@ namespace durer::tracer {
 
 using wide::each_bit;
 
-void FieldPacket::run(std::span<const PacketRay> rays, std::span<std::optional<Nearest>> hits,
-                      FieldWalkVersion walk) {
-  rays_ = rays;
-  hits_ = hits;
-  std::fill(hits.begin(), hits.end(), std::nullopt);
-  // Idle lanes repeat one that is not.
-  for (std::size_t i = 0; i < size; ++i) {
-    const PacketRay& ray = rays[std::min(i, rays.size() - 1)];
-    for (int k = 0; k < 3; ++k) {
-      p_[static_cast<std::size_t>(k)][i] = ray.ray.o[k];
-      d_[static_cast<std::size_t>(k)][i] = ray.ray.d[k];
-    }
-    t_from_[i] = ray.t_from;
-    t_to_[i] = ray.t_to;
-  }
-  walk(*this);
-}
-
 void FieldPacket::hit(std::size_t lane, double t, std::uint32_t part) {
   open_ &= ~(Mask{1} << lane);
-  if (t < rays_[lane].t_to) hits_[lane] = Nearest{t, part};
+  if (t < rays_.t_to[lane]) hits_.set(lane, t, part);
 }
 
 /// A side that is known to hold from `where` on.
@@ -45,20 +25,18 @@ void FieldPacket::settle(Mask lanes, bool inside, const PerLane<float>& where) {
   each_bit(starting & entering_, [&](std::size_t i) { enter(i); });
 }
 
-void FieldPacket::enter(std::size_t lane) { hit_face(lane, near_, enter_[lane], false); }
+void FieldPacket::enter(std::size_t lane) { hit_face(lane, enter_face_, enter_[lane], false); }
 
 /// Where a line enters or leaves the container, at about t.
-void FieldPacket::hit_face(std::size_t lane, const std::array<PerLane<double>, 3>& planes, double t,
-                           bool leaves) {
+void FieldPacket::hit_face(std::size_t lane, const FaceOf& face, double t, bool leaves) {
   const scene::Container& c = surface_.container;
   if (c.kind == scene::Container::Kind::sphere) return hit(lane, t, sphere_part);
-  std::size_t axis = 0;
-  while (axis < 2 && planes[axis][lane] != t) ++axis;
-  const int k = static_cast<int>(axis);
-  const Ray& ray = rays_[lane].ray;
-  const bool high = (ray.d[k] > 0) == leaves;
+  const int k = face.axis(lane);
+  const auto axis = static_cast<std::size_t>(k);
+  const double d = rays_.d.of[axis][lane];
+  const bool high = (d > 0) == leaves;
   // As stretch_in() has it, to the last bit.
-  const double exact = ((high ? c.hi : c.lo)[k] - ray.o[k]) / ray.d[k];
+  const double exact = ((high ? c.hi : c.lo)[k] - rays_.o.of[axis][lane]) / d;
   hit(lane, exact, static_cast<std::uint32_t>(2 * k + 1) + (high ? 1 : 0));
 }
 
@@ -77,7 +55,7 @@ void FieldPacket::alone(std::size_t lane, const Piece& piece) {
     if (sign < 0 && at_face) enter(lane);
     return (open_ & bit) == 0;
   };
-  FieldSearch search(field_, rays_[lane].ray, part.from, part.to, least_);
+  FieldSearch search(field_, rays_.ray(lane), part.from, part.to, least_);
   const int last =
       search.run_between(part, piece.value_from, piece.value_to, piece.slope, before, take);
   if (last == 0) return;
@@ -89,7 +67,8 @@ void FieldPacket::alone(std::size_t lane, const Piece& piece) {
 void FieldPacket::leave(Mask lanes) {
   open_ &= ~lanes;
   if (surface_.open) return;
-  each_bit(lanes & known_ & inside_, [&](std::size_t i) { hit_face(i, far_, leave_[i], true); });
+  each_bit(lanes & known_ & inside_,
+           [&](std::size_t i) { hit_face(i, leave_face_, leave_[i], true); });
 }
 
 }  // namespace durer::tracer

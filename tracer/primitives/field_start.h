@@ -20,8 +20,8 @@ void FieldWalk<Instructions>::start(std::size_t first) {
                            DURER_LAMBDA_INLINE { return Doubles::load(&v[first]); };
   const Doubles enter = load_at(packet_.enter_);
   const Doubles leave = load_at(packet_.leave_);
-  const Doubles t_from = load_at(packet_.t_from_);
-  const Doubles t_to = load_at(packet_.t_to_);
+  const Doubles t_from = load_at(packet_.rays_.t_from);
+  const Doubles t_to = load_at(packet_.rays_.t_to);
   open &= above(t_to, enter) & ~above(t_from, leave);
   const Doubles begin = most(enter, t_from);
   begin.store(&packet_.begin_[first]);
@@ -29,8 +29,9 @@ void FieldWalk<Instructions>::start(std::size_t first) {
   const dvec3 centre = field_.centre();
   Doubles steps = Doubles::all(0);
   for (std::size_t k = 0; k < 3; ++k) {
-    const Doubles d = load_at(packet_.d_[k]);
-    const Doubles p = load_at(packet_.p_[k]) + begin * d;
+    const Doubles d = load_at(packet_.rays_.d.of[k]);
+    const Doubles p = load_at(packet_.rays_.o.of[k]) + begin * d;
+    d.store(&packet_.d_[k][first]);
     p.store(&packet_.p_[k][first]);
     (p - Doubles::all(centre[static_cast<int>(k)])).narrowed(&packet_.short_p_[k][first]);
     d.narrowed(&packet_.short_d_[k][first]);
@@ -49,9 +50,12 @@ auto FieldWalk<Instructions>::meet_box(std::size_t first) -> Mask {
   const scene::Container& c = packet_.surface_.container;
   Doubles enter = Doubles::all(-std::numeric_limits<double>::infinity());
   Doubles leave = Doubles::all(std::numeric_limits<double>::infinity());
+  std::array<Mask, 3> enters{};
+  std::array<Mask, 3> leaves{};
   for (std::size_t k = 0; k < 3; ++k) {
-    const Doubles o = Doubles::load(&packet_.p_[k][first]);
-    const Doubles d = Doubles::load(&packet_.d_[k][first]) + Doubles::all(0);  // no zero below zero
+    const Doubles o = Doubles::load(&packet_.rays_.o.of[k][first]);
+    const Doubles d =
+        Doubles::load(&packet_.rays_.d.of[k][first]) + Doubles::all(0);  // no zero below zero
     const Doubles inverse = Doubles::all(1) / d;
     const Doubles a = (Doubles::all(c.lo[static_cast<int>(k)]) - o) * inverse;
     const Doubles b = (Doubles::all(c.hi[static_cast<int>(k)]) - o) * inverse;
@@ -59,11 +63,17 @@ auto FieldWalk<Instructions>::meet_box(std::size_t first) -> Mask {
     // the comparisons below, where it changes nothing.
     const Doubles near = least(b, a);
     const Doubles far = most(a, b);
-    near.store(&packet_.near_[k][first]);
-    far.store(&packet_.far_[k][first]);
+    if (k > 0) {
+      enters[k] = above(near, enter);
+      leaves[k] = above(leave, far);
+    }
     enter = most(near, enter);
     leave = least(far, leave);
   }
+  packet_.enter_face_.y |= enters[1] << first;
+  packet_.enter_face_.z |= enters[2] << first;
+  packet_.leave_face_.y |= leaves[1] << first;
+  packet_.leave_face_.z |= leaves[2] << first;
   enter.store(&packet_.enter_[first]);
   leave.store(&packet_.leave_[first]);
   return above(leave, enter) & above(enter, Doubles::all(-std::numeric_limits<double>::max()));
@@ -73,13 +83,13 @@ template <class Instructions>
 auto FieldWalk<Instructions>::meet_sphere(std::size_t first) -> Mask {
   const scene::Container& c = packet_.surface_.container;
   const auto vector = [&](const auto& v) DURER_LAMBDA_INLINE {
-    return std::array{Doubles::load(&v[0][first]), Doubles::load(&v[1][first]),
-                      Doubles::load(&v[2][first])};
+    return std::array{Doubles::load(&v.of[0][first]), Doubles::load(&v.of[1][first]),
+                      Doubles::load(&v.of[2][first])};
   };
   const auto dot = [](const auto& a, const auto& b)
                        DURER_LAMBDA_INLINE { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
-  const auto o = vector(packet_.p_);
-  const auto d = vector(packet_.d_);
+  const auto o = vector(packet_.rays_.o);
+  const auto d = vector(packet_.rays_.d);
   const std::array centre{Doubles::all(c.centre.x), Doubles::all(c.centre.y),
                           Doubles::all(c.centre.z)};
   std::array<Doubles, 3> way;

@@ -1,5 +1,6 @@
 #include "tracer/primitives/isosurface_shape.h"
 
+#include <bit>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -27,9 +28,8 @@ void IsosurfaceData::note_slope(double slope) const {
 std::shared_ptr<const IsosurfaceData> shared_isosurface_data(
     const std::shared_ptr<const scene::Isosurface>& surface, functions::NoiseGenerator generator) {
   static SharedData<scene::Isosurface, IsosurfaceData> known;
-  auto data = known.get(surface.get(), [&] {
-    return std::make_shared<const IsosurfaceData>(surface, generator);
-  });
+  auto data = known.get(surface.get(),
+                        [&] { return std::make_shared<const IsosurfaceData>(surface, generator); });
   // The scene's noise may have been settled since somebody asked first, during parsing.
   if (data->field.generator() == generator) return data;
   return std::make_shared<const IsosurfaceData>(surface, generator);
@@ -60,33 +60,26 @@ dvec3 IsosurfaceShape::normal(dvec3 p, std::uint32_t part) const {
   return upward(dvec3(x, y, z) - here);
 }
 
-void IsosurfaceShape::normals(std::span<const dvec3> points, std::span<const std::uint32_t> parts,
-                              dvec3* out) const {
+void IsosurfaceShape::normals(const PacketPoints& points, PacketVectors& out) const {
   using functions::Pack;
   const scene::Isosurface& s = *data_->surface;
-  // Those of the surface itself, eight at a time; the last ones repeat one.
-  std::array<std::size_t, most_in_packet> places;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (parts[i] == 0) {
-      places[count++] = i;
-    } else {
-      out[i] = face_normal(s.container, points[i], parts[i]);
-    }
-  }
+  std::uint32_t faces = 0;
+  for (std::size_t i = 0; i < points.count; ++i) faces |= (points.part[i] != 0 ? 1U : 0U) << i;
+  const std::uint32_t wanted = ~faces & ((2U << (points.count - 1)) - 1);
+  constexpr std::size_t group = Pack::lanes;
   functions::Workspace& w = function_workspace(data_->field.generator());
-  for (std::size_t first = 0; first < count; first += Pack::lanes) {
-    const std::size_t last = std::min(count, first + Pack::lanes) - 1;
-    std::array<Pack, 3> p;
-    for (std::size_t lane = 0; lane < Pack::lanes; ++lane) {
-      const dvec3& point = points[places[std::min(first + lane, last)]];
-      for (std::size_t k = 0; k < 3; ++k) p[k].v[lane] = point[static_cast<int>(k)];
-    }
-    const auto [here, x, y, z] = data_->differences(p, s.accuracy, w);
-    for (std::size_t i = first; i <= last; ++i) {
-      const std::size_t lane = i - first;
-      out[places[i]] = upward(dvec3(x.v[lane], y.v[lane], z.v[lane]) - here.v[lane]);
-    }
+  for (std::size_t first = 0; first < points.count; first += group) {
+    if ((wanted >> first & ((1U << group) - 1)) == 0) continue;
+    const auto at = [first](auto& v, std::size_t k) { return &v.of[k][first]; };
+    data_->differences({at(points.p, 0), at(points.p, 1), at(points.p, 2)}, s.accuracy,
+                       {at(out, 0), at(out, 1), at(out, 2)}, w);
+  }
+  for (std::uint32_t left = wanted & ~above_zero(out, points.count); left != 0; left &= left - 1) {
+    out.set(static_cast<std::size_t>(std::countr_zero(left)), upward(dvec3(0.0)));
+  }
+  for (; faces != 0; faces &= faces - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(faces));
+    out.set(i, face_normal(s.container, points.p[i], points.part[i]));
   }
 }
 
@@ -98,14 +91,13 @@ std::pair<std::string, std::string> IsosurfaceShape::doubt() const {
   if (data_->field.has_bounds() || !(found > 0)) return {};
   const double ratio = set / found;
   const double excess = set - found;
-  const bool holes = (ratio <= 0.9 && excess <= -0.5) ||
-                     ((ratio <= 0.95 || excess <= -0.1) && set < 10);
+  const bool holes =
+      (ratio <= 0.9 && excess <= -0.5) || ((ratio <= 0.95 || excess <= -0.1) && set < 10);
   const bool slow = excess >= 10 || (ratio >= 1.1 && excess >= 0.5);
   if (!holes && !slow) return {};
   return {fmt::format("the function of this `isosurface` has slopes of {:.3f}, but `max_gradient` "
                       "is {:.3f}: {}",
-                      found, set,
-                      holes ? "there may be holes" : "that is more than it takes"),
+                      found, set, holes ? "there may be holes" : "that is more than it takes"),
           fmt::format("write `max_gradient {:.3f}`", found)};
 }
 
@@ -123,8 +115,9 @@ void IsosurfaceShape::each_crossing(const Ray& ray, double t_from, double t_to, 
   if (!stretch || !(stretch->to >= t_from) || !(stretch->from < t_to)) return;
   const auto found = [&](double t, int sign) {
     if (t == stretch->from) {
-      return sign < 0 && take(Crossing{.t = t, .part = stretch->face_from, .side = Side::enter,
-                                       .visible = !s.open});
+      return sign < 0 &&
+             take(Crossing{
+                 .t = t, .part = stretch->face_from, .side = Side::enter, .visible = !s.open});
     }
     return take(Crossing{.t = t, .side = sign < 0 ? Side::enter : Side::exit});
   };
@@ -137,8 +130,8 @@ void IsosurfaceShape::each_crossing(const Ray& ray, double t_from, double t_to, 
     last = search.run(*stretch, found);
   }
   if (last < 0) {
-    take(Crossing{.t = stretch->to, .part = stretch->face_to, .side = Side::exit,
-                  .visible = !s.open});
+    take(Crossing{
+        .t = stretch->to, .part = stretch->face_to, .side = Side::exit, .visible = !s.open});
   }
 }
 
@@ -149,13 +142,13 @@ void IsosurfaceShape::crossings(const Ray& ray, Crossings& out) const {
   });
 }
 
-void IsosurfaceShape::nearest(std::span<const PacketRay> rays,
-                              std::span<std::optional<Nearest>> hits, bool any) const {
+void IsosurfaceShape::nearest(const PacketRays& rays, bool any, PacketHits& hits) const {
   if (data_->field.has_bounds()) {
-    return FieldPacket(data_->field, *data_->surface, least(), any).run(rays, hits);
+    return FieldPacket(data_->field, *data_->surface, least(), any, rays, hits).run();
   }
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    hits[i] = nearest(rays[i].ray, rays[i].t_from, rays[i].t_to);
+  for (std::size_t i = 0; i < rays.count; ++i) {
+    const auto hit = nearest(rays.ray(i), rays.t_from[i], rays.t_to[i]);
+    if (hit) hits.set(i, hit->t, hit->part);
   }
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <memory>
-#include <span>
 
 #include "functions/differences.h"
 #include "scene/function_surface.h"
@@ -38,9 +37,8 @@ class IsosurfaceShape {
   [[nodiscard]] dvec3 normal(dvec3 p, std::uint32_t part) const;
   void crossings(const Ray& ray, Crossings& out) const;
   [[nodiscard]] std::optional<Nearest> nearest(const Ray& ray, double t_from, double t_to) const;
-  void nearest(std::span<const PacketRay> rays, std::span<std::optional<Nearest>> hits,
-               bool any) const;
-  void normals(std::span<const dvec3> points, std::span<const std::uint32_t> parts, dvec3* out) const;
+  void nearest(const PacketRays& rays, bool any, PacketHits& hits) const;
+  void normals(const PacketPoints& points, PacketVectors& out) const;
   [[nodiscard]] std::pair<std::string, std::string> doubt() const;
 
  private:

@@ -14,6 +14,7 @@
 #include "base/bounds.h"
 #include "base/ray.h"
 #include "tracer/primitives/crossing.h"
+#include "tracer/primitives/packet.h"
 #include "tracer/primitives/shaft_hull.h"
 
 namespace durer::tracer {
@@ -53,13 +54,17 @@ class Targets {
   /// The same for at most most_in_packet queries, which see the object at once.
   using NearestTogether = void (*)(const Targets& targets, std::uint32_t index,
                                    std::span<RayQuery* const> queries);
+  /// The hits of a packet (of at least one ray) with object `index`, whoever may see it; `any`:
+  /// some hit in the range will do.
+  using PacketFunction = void (*)(const Targets& targets, std::uint32_t index,
+                                  const PacketRays& rays, bool any, PacketHits& hits);
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(tags.size()); }
   /// World box of the surface that can be seen.
   [[nodiscard]] virtual Bounds3 surface_bounds(std::uint32_t index) const = 0;
 
-  /// True if no ray inside of `hull` can meet object `index`, as far as that is found out quickly; more
-  /// than its box says.
+  /// True if no ray inside of `hull` can meet object `index`, as far as that is found out quickly;
+  /// more than its box says.
   [[nodiscard]] virtual bool misses(std::uint32_t /*index*/, const ShaftHull& /*hull*/) const {
     return false;
   }
@@ -68,6 +73,7 @@ class Targets {
   /// Null: these objects answer one ray at a time. Others do not answer a query that has a list
   /// (RayQuery::later), but put themselves on it.
   NearestTogether nearest_together = nullptr;
+  PacketFunction packet = nullptr;  // of the same objects
   std::vector<Tag> tags;
 };
 
@@ -79,7 +85,7 @@ struct TextureBlend {
   };
   static constexpr std::uint32_t most = 16;
   std::array<Part, most> parts;  // not set beyond `count`: every hit makes one of these
-  std::uint32_t count = 0;  // 0: the part looks like the object
+  std::uint32_t count = 0;       // 0: the part looks like the object
 
   /// What there is no room for is left out; blobs have few components in one place.
   void add(std::uint32_t texture, float weight) {
@@ -97,11 +103,11 @@ class Store : public Targets {
   [[nodiscard]] virtual bool contains(std::uint32_t index, dvec3 p) const = 0;
   /// World unit normal at the world point `p`, outward (of the primitive before any inversion).
   [[nodiscard]] virtual dvec3 normal(std::uint32_t index, dvec3 p, std::uint32_t part) const = 0;
-  /// The same at up to most_in_packet points of one shape.
-  virtual void normals(std::uint32_t index, std::span<const dvec3> points,
-                       std::span<const std::uint32_t> parts, dvec3* out) const = 0;
-  /// Where the world point `p` lies on the surface. Objects without such coordinates use the world's
-  /// x and y (objects §14).
+  /// The same at several points of one shape, at least one.
+  virtual void normals(std::uint32_t index, const PacketPoints& points,
+                       PacketVectors& out) const = 0;
+  /// Where the world point `p` lies on the surface. Objects without such coordinates use the
+  /// world's x and y (objects §14).
   [[nodiscard]] virtual dvec2 uv(std::uint32_t index, dvec3 p, std::uint32_t part) const = 0;
   [[nodiscard]] virtual bool has_uv() const = 0;
   [[nodiscard]] virtual TextureBlend textures(std::uint32_t index, dvec3 p,

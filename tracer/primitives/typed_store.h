@@ -12,24 +12,25 @@
 //   Shape flipped() const;                                the inverse, if it is such a shape too
 //   … nearest_of_unit(same as nearest) const;             faster where |d| = 1
 //   … any(same as nearest) const;                         some hit in the range, if that is faster
-//   void nearest(std::span<const PacketRay>, std::span<std::optional<Nearest>> hits, bool any) const;
-//                                                         the same for up to most_in_packet rays, if
-//                                                         that is faster: see Targets::nearest_together;
+//   void nearest(const PacketRays& rays, bool any, PacketHits& hits) const;
+//                                                         the same for several rays, if that is
+//                                                         faster: see Targets::nearest_together;
 //                                                         `any`: some hit in the range will do
-//   void normals(std::span<const dvec3> points, std::span<const std::uint32_t> parts,
-//                dvec3* out) const;                       as normal(), for as many points
+//   void normals(const PacketPoints& points, PacketVectors& out) const;
+//                                                         as normal(), for as many points
 //   dvec2 uv(dvec3 p, std::uint32_t part) const;          surface coordinates (objects §14)
 //   static constexpr bool uv_turns = true;                they need a space that turns with it
 //   TextureBlend textures(dvec3 p, std::uint32_t part) const;   looks of single parts
 //   std::pair<std::string, std::string> doubt() const;    see Store::doubt
-//   bool misses(const ShaftHull&) const;                  certainly outside of it, see Targets::misses
-//   static constexpr bool convex = true;
-//   static constexpr double far = …;                      greatest depth at which it is seen
-//   dvec3 unit_normal;                                    if it is the same everywhere
+//   bool misses(const ShaftHull&) const;                  certainly outside of it, see
+//   Targets::misses static constexpr bool convex = true; static constexpr double far = …; greatest
+//   depth at which it is seen dvec3 unit_normal;                                    if it is the
+//   same everywhere
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <concepts>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -40,7 +41,6 @@
 #include <utility>
 
 #include "base/transform.h"
-#include "base/unit.h"
 #include "functions/simd/inline.h"
 #include "tracer/primitives/store.h"
 #include "tracer/query.h"
@@ -79,9 +79,8 @@ concept Shape = requires(const S& s, dvec3 p, const Ray& ray, Crossings& out) {
 
 /// A shape that answers several rays together.
 template <typename S>
-concept PacketShape = Shape<S> && requires(const S& s, std::span<const PacketRay> rays,
-                                           std::span<std::optional<Nearest>> hits) {
-  s.nearest(rays, hits, false);
+concept PacketShape = Shape<S> && requires(const S& s, const PacketRays& rays, PacketHits& hits) {
+  s.nearest(rays, false, hits);
 };
 
 /// A shape whose space is the world.
@@ -100,11 +99,8 @@ struct Baked {
   [[nodiscard]] const Ray& to_object(const Ray& ray) const { return ray; }
   [[nodiscard]] dvec3 to_object(dvec3 p) const { return p; }
   [[nodiscard]] dvec3 normal_to_world(dvec3 n) const { return n; }
-  [[nodiscard]] dvec3 unit_normal() const
-    requires requires { shape.unit_normal; }
-  {
-    return shape.unit_normal;
-  }
+  [[nodiscard]] dvec3 unit_normal() const requires requires { shape.unit_normal; }
+  { return shape.unit_normal; }
   [[nodiscard]] Bounds3 to_world(const Bounds3& b) const { return b; }
   [[nodiscard]] std::pair<Affine, Affine> maps() const { return {}; }
   [[nodiscard]] bool misses(const ShaftHull& hull) const {
@@ -123,11 +119,11 @@ struct Placed {
   [[nodiscard]] std::optional<Nearest> nearest(const Ray& ray, double t_from, double t_to) const {
     return shape.nearest(to_object(ray), t_from, t_to);
   }
-  [[nodiscard]] std::optional<Nearest> any(const Ray& ray, double t_from, double t_to) const
-    requires requires { shape.any(ray, t_from, t_to); }
-  {
-    return shape.any(to_object(ray), t_from, t_to);
+  [[nodiscard]] std::optional<Nearest> any(const Ray& ray, double t_from,
+                                           double t_to) const requires requires {
+    shape.any(ray, t_from, t_to);
   }
+  { return shape.any(to_object(ray), t_from, t_to); }
   [[nodiscard]] bool is_in_world() const { return to_shape == Affine(); }
   [[nodiscard]] Ray to_object(const Ray& ray) const {
     return {to_shape.point(ray.o), to_shape.vector(ray.d)};
@@ -147,7 +143,8 @@ struct Placed {
     const Bounds3 apart = shape.bounds().intersection(local.bounds());
     const dvec3 gap = apart.lo - apart.hi;
     const dvec3 size = glm::max(glm::abs(apart.lo), glm::abs(apart.hi));
-    if (std::max({gap.x, gap.y, gap.z}) > 1e-9 * std::max({1.0, size.x, size.y, size.z})) return true;
+    if (std::max({gap.x, gap.y, gap.z}) > 1e-9 * std::max({1.0, size.x, size.y, size.z}))
+      return true;
     if constexpr (requires { shape.misses(local); }) return shape.misses(local);
     return false;
   }
@@ -163,7 +160,10 @@ class TypedStore final : public Store {
 
   TypedStore() {
     nearest = &nearest_of;
-    if constexpr (PacketShape<S>) nearest_together = &nearest_together_of;
+    if constexpr (PacketShape<S>) {
+      nearest_together = &nearest_together_of;
+      packet = &packet_of;
+    }
   }
 
   std::uint32_t add(Item item) {
@@ -198,21 +198,25 @@ class TypedStore final : public Store {
     if constexpr (requires { item.unit_normal(); }) return item.unit_normal();
     return glm::normalize(item.normal_to_world(item.shape.normal(item.to_object(p), part)));
   }
-  void normals(std::uint32_t index, std::span<const dvec3> points,
-               std::span<const std::uint32_t> parts, dvec3* out) const override {
+  void normals(std::uint32_t index, const PacketPoints& points, PacketVectors& out) const override {
     const Item& item = items_[index];
-    if constexpr (requires { item.shape.normals(points, parts, out); }) {
+    if constexpr (requires { item.shape.normals(points, out); }) {
       if (item.is_in_world()) {
-        item.shape.normals(points, parts, out);
+        item.shape.normals(points, out);
       } else {
-        std::array<dvec3, most_in_packet> local;
-        for (std::size_t i = 0; i < points.size(); ++i) local[i] = item.to_object(points[i]);
-        item.shape.normals(std::span<const dvec3>(local).first(points.size()), parts, out);
-        for (std::size_t i = 0; i < points.size(); ++i) out[i] = item.normal_to_world(out[i]);
+        PacketPoints local;
+        for (std::size_t i = 0; i < points.count; ++i) {
+          local.add(item.to_object(points.p[i]), points.part[i]);
+        }
+        local.fill_up();
+        item.shape.normals(local, out);
+        for (std::size_t i = 0; i < points.count; ++i) out.set(i, item.normal_to_world(out[i]));
       }
-      normalize_all({out, points.size()});
+      normalize(out, points.count);
     } else {
-      for (std::size_t i = 0; i < points.size(); ++i) out[i] = normal(index, points[i], parts[i]);
+      for (std::size_t i = 0; i < points.count; ++i) {
+        out.set(i, normal(index, points.p[i], points.part[i]));
+      }
     }
   }
   [[nodiscard]] dvec2 uv(std::uint32_t index, dvec3 p, std::uint32_t part) const override {
@@ -272,25 +276,28 @@ class TypedStore final : public Store {
   static void nearest_together_of(const Targets& targets, std::uint32_t index,
                                   std::span<RayQuery* const> queries) {
     const auto& self = static_cast<const TypedStore&>(targets);
-    const Item& item = self.items_[index];
-    const bool in_world = item.is_in_world();
-    Packet<PacketRay> rays;
-    Packet<std::optional<Nearest>> hits;
-    for (std::size_t i = 0; i < queries.size(); ++i) {
-      const RayQuery& query = *queries[i];
-      const double t_to = seen_to(query);
-      if (in_world) {
-        ::new (&rays[i]) PacketRay{query.ray, query.t_from, t_to};
-      } else {
-        ::new (&rays[i]) PacketRay{item.to_object(query.ray), query.t_from, t_to};
-      }
-      ::new (&hits[i]) std::optional<Nearest>();
+    PacketRays rays;
+    for (const RayQuery* query : queries) rays.add(query->ray, query->t_from, query->t_to);
+    rays.fill_up();
+    PacketHits hits;
+    packet_of(targets, index, rays, queries.front()->any, hits);
+    for (std::uint32_t left = hits.met; left != 0; left &= left - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(left));
+      take(self, index, {hits.t[i], hits.part[i]}, *queries[i]);
     }
-    item.shape.nearest(rays.first(queries.size()), hits.first(queries.size()),
-                       queries.front()->any);
-    for (std::size_t i = 0; i < queries.size(); ++i) {
-      if (hits[i]) take(self, index, *hits[i], *queries[i]);
+  }
+
+  static void packet_of(const Targets& targets, std::uint32_t index, const PacketRays& rays,
+                        bool any, PacketHits& hits) {
+    static_assert(!requires { S::far; });  // what is far away would have to be left out
+    const Item& item = static_cast<const TypedStore&>(targets).items_[index];
+    if (item.is_in_world()) return item.shape.nearest(rays, any, hits);
+    PacketRays local;
+    for (std::size_t i = 0; i < rays.count; ++i) {
+      local.add(item.to_object(rays.ray(i)), rays.t_from[i], rays.t_to[i]);
     }
+    local.fill_up();
+    item.shape.nearest(local, any, hits);
   }
 
   /// True if the query need not be answered now.

@@ -4,6 +4,7 @@
 
 #include "functions/builder.h"
 #include "tests/unit/tracer_geometry/scenes.h"
+#include "tracer/primitives/container.h"
 #include "tracer/primitives/field_packet.h"
 #include "tracer/primitives/isosurface_shape.h"
 
@@ -76,10 +77,36 @@ struct Sample {
   }
 };
 
+struct TestRay {
+  Ray ray;
+  double t_from, t_to;
+};
+using Answers = std::vector<std::optional<Nearest>>;
+
+PacketRays packet_of(const std::vector<TestRay>& rays) {
+  PacketRays packet;
+  for (const TestRay& r : rays) packet.add(r.ray, r.t_from, r.t_to);
+  packet.fill_up();
+  return packet;
+}
+Answers answers(const PacketHits& hits, std::size_t count) {
+  Answers all(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    if ((hits.met >> i & 1) != 0) all[i] = Nearest{hits.t[i], hits.part[i]};
+  }
+  CHECK(hits.met >> count == 0);
+  return all;
+}
+Answers ask(const IsosurfaceShape& shape, const std::vector<TestRay>& rays, bool any) {
+  PacketHits hits;
+  shape.nearest(packet_of(rays), any, hits);
+  return answers(hits, rays.size());
+}
+
 /// Rays from about one place in about one direction; some begin inside, end early, or run along an
 /// axis or a face of the box.
-std::vector<PacketRay> bundle(Random& random) {
-  std::vector<PacketRay> rays;
+std::vector<TestRay> bundle(Random& random) {
+  std::vector<TestRay> rays;
   const bool from_inside = random() % 3 == 0;
   const dvec3 o = from_inside ? point_in_cube(random, 0.8) : 4.0 * direction(random);
   const dvec3 d = from_inside ? direction(random) : point_in_cube(random, 1) - o;
@@ -87,7 +114,7 @@ std::vector<PacketRay> bundle(Random& random) {
   const double unit = random() % 2 == 0 ? 1 : 3.7;  // |d| is anything
   const std::size_t count = 1 + random() % most_in_packet;
   for (std::size_t i = 0; i < count; ++i) {
-    PacketRay r{{o, unit * glm::normalize(d + point_in_cube(random, spread))}, 1e-7, 1e7};
+    TestRay r{{o, unit * glm::normalize(d + point_in_cube(random, spread))}, 1e-7, 1e7};
     if (random() % 8 == 0) r.t_to = uniform(random, 0.1, 5) / unit;
     if (random() % 8 == 0) r.t_from = uniform(random, 0.1, 4) / unit;
     if (random() % 16 == 0) r.ray = {{uniform(random, -1.1, 1.1), -3, 0.3}, {0, unit, -0.0}};
@@ -97,7 +124,7 @@ std::vector<PacketRay> bundle(Random& random) {
   return rays;
 }
 
-bool known(const Sample& sample, const PacketRay& ray, double t) {
+bool known(const Sample& sample, const TestRay& ray, double t) {
   functions::Workspace w;
   const dvec3 p = ray.ray.at(t);
   return std::abs(functions::evaluate(*sample.surface->function, std::array{p.x, p.y, p.z}, w)) >
@@ -116,11 +143,9 @@ TEST_CASE("field packet: the same as one by one", "[tracer][isosurface][packet]"
   std::size_t asked = 0;
   std::size_t unlike = 0;
   for (int round = 0; round < (make == half_defined ? 3 : 200); ++round) {
-    const std::vector<PacketRay> rays = bundle(random);
-    std::vector<std::optional<Nearest>> hits(rays.size());
-    std::vector<std::optional<Nearest>> shadows(rays.size());
-    sample.shape.nearest(rays, hits, false);
-    sample.shape.nearest(rays, shadows, true);
+    const std::vector<TestRay> rays = bundle(random);
+    const Answers hits = ask(sample.shape, rays, false);
+    const Answers shadows = ask(sample.shape, rays, true);
     for (std::size_t i = 0; i < rays.size(); ++i) {
       const auto alone = sample.shape.nearest(rays[i].ray, rays[i].t_from, rays[i].t_to);
       ++asked;
@@ -148,18 +173,20 @@ TEST_CASE("field packet: the same bits with all instruction sets", "[tracer][iso
   const Sample sample(make, Container::Kind::box, false);
   Random random(12);
   for (int round = 0; round < (make == half_defined ? 3 : 200); ++round) {
-    const std::vector<PacketRay> rays = bundle(random);
-    std::vector<std::vector<std::optional<Nearest>>> answers;
+    const std::vector<TestRay> rays = bundle(random);
+    const PacketRays packet = packet_of(rays);
+    std::vector<Answers> all;
     for (const FieldWalkVersion walk : field_walks()) {
-      FieldPacket packet(sample.data->field, *sample.surface, 1e-5, any);
-      packet.run(rays, answers.emplace_back(rays.size()), walk);
+      PacketHits hits;
+      FieldPacket(sample.data->field, *sample.surface, 1e-5, any, packet, hits).run(walk);
+      all.push_back(answers(hits, rays.size()));
     }
-    for (const auto& answer : answers) {
+    for (const Answers& answer : all) {
       for (std::size_t i = 0; i < rays.size(); ++i) {
-        REQUIRE(answer[i].has_value() == answers[0][i].has_value());
+        REQUIRE(answer[i].has_value() == all[0][i].has_value());
         if (!answer[i]) continue;
-        CHECK(answer[i]->t == answers[0][i]->t);
-        CHECK(answer[i]->part == answers[0][i]->part);
+        CHECK(answer[i]->t == all[0][i]->t);
+        CHECK(answer[i]->part == all[0][i]->part);
       }
     }
   }
@@ -169,14 +196,39 @@ TEST_CASE("field packet: an answer does not depend on neighbours", "[tracer][iso
   const Sample sample(gyroid, Container::Kind::sphere, true);
   Random random(13);
   for (int round = 0; round < 100; ++round) {
-    const std::vector<PacketRay> rays = bundle(random);
-    std::vector<std::optional<Nearest>> hits(rays.size());
-    sample.shape.nearest(rays, hits, false);
+    const std::vector<TestRay> rays = bundle(random);
+    const Answers hits = ask(sample.shape, rays, false);
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      std::optional<Nearest> alone;
-      sample.shape.nearest(std::span(&rays[i], 1), std::span(&alone, 1), false);
+      const auto alone = ask(sample.shape, {rays[i]}, false).front();
       REQUIRE(alone.has_value() == hits[i].has_value());
       if (alone) CHECK(alone->t == hits[i]->t);
+    }
+  }
+}
+
+TEST_CASE("field packet: normals side by side have the bits of each",
+          "[tracer][isosurface][packet]") {
+  const auto make = GENERATE(gyroid, sheet, ball, everywhere);
+  const auto kind = GENERATE(Container::Kind::box, Container::Kind::sphere);
+  const Sample sample(make, kind, false);
+  Random random(14);
+  for (int round = 0; round < 50; ++round) {
+    PacketPoints points;
+    const std::size_t count = 1 + random() % most_in_packet;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto side = static_cast<std::uint32_t>(1 + random() % 6);
+      const std::uint32_t face = kind == Container::Kind::box ? side : sphere_part;
+      points.add(point_in_cube(random, 1), random() % 4 == 0 ? face : 0);
+    }
+    points.fill_up();
+    PacketVectors normals;
+    sample.shape.normals(points, normals);
+    for (std::size_t i = 0; i < count; ++i) {
+      CHECK(normals[i] == sample.shape.normal(points.p[i], points.part[i]));
+    }
+    normalize(normals, count);
+    for (std::size_t i = 0; i < count; ++i) {
+      CHECK(normals[i] == glm::normalize(sample.shape.normal(points.p[i], points.part[i])));
     }
   }
 }
@@ -185,12 +237,11 @@ TEST_CASE("field packet: rays that make no sense meet nothing", "[tracer][isosur
   const Sample sample(ball, Container::Kind::box, false);
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double inf = std::numeric_limits<double>::infinity();
-  const std::vector<PacketRay> rays{
+  const std::vector<TestRay> rays{
       {{{nan, 0, 0}, {0, 0, 1}}, 0, 10}, {{{0, 0, -3}, {nan, 0, 1}}, 0, 10},
       {{{0, 0, -3}, {0, 0, 0}}, 0, 10},  {{{0, inf, -3}, {0, 0, 1}}, 0, 10},
       {{{0, 0, -3}, {0, 0, 1}}, 5, 4},   {{{0.1, 0.2, -3}, {0, 0, 1}}, 0, 10}};
-  std::vector<std::optional<Nearest>> hits(rays.size());
-  sample.shape.nearest(rays, hits, false);
+  const Answers hits = ask(sample.shape, rays, false);
   for (std::size_t i = 0; i + 1 < rays.size(); ++i) CHECK_FALSE(hits[i].has_value());
   CHECK(hits.back().has_value());
 }
