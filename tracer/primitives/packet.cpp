@@ -1,5 +1,7 @@
 #include "tracer/primitives/packet.h"
 
+#include <algorithm>
+
 #include "tracer/accel/vector_lanes.h"
 
 namespace durer::tracer {
@@ -17,7 +19,23 @@ DURER_INLINE Doubles squares(const PacketVectors& v, std::size_t first) {
   return square(0) + square(1) + square(2);
 }
 
+/// Behind the first `count`.
+void repeat_last(PerRay<double>& x, std::size_t count) {
+  std::fill(x.begin() + static_cast<std::ptrdiff_t>(count), x.end(), x[count - 1]);
+}
+void repeat_last(PacketVectors& v, std::size_t count) {
+  for (PerRay<double>& x : v.of) repeat_last(x, count);
+}
+
 }  // namespace
+
+void PacketRays::repeat_last() {
+  tracer::repeat_last(o, count);
+  tracer::repeat_last(d, count);
+  tracer::repeat_last(t_from, count);
+  tracer::repeat_last(t_to, count);
+}
+void PacketPoints::repeat_last() { tracer::repeat_last(p, count); }
 
 void normalize(PacketVectors& vectors, std::size_t count) {
   for (std::size_t first = 0; first < count; first += group) {

@@ -56,13 +56,11 @@ struct PacketRays {
   /// Idle places repeat the last ray: whoever reads all of them meets nothing strange. To be called
   /// when there are no more rays to add.
   void fill_up() {
-    for (std::size_t i = count; i < most_in_packet; ++i) {
-      o.set(i, o[count - 1]);
-      d.set(i, d[count - 1]);
-      t_from[i] = t_from[count - 1];
-      t_to[i] = t_to[count - 1];
-    }
+    if (count < most_in_packet) repeat_last();
   }
+
+ private:
+  void repeat_last();
 };
 
 /// The answers.
@@ -90,8 +88,11 @@ struct PacketPoints {
   }
   /// As with PacketRays.
   void fill_up() {
-    for (std::size_t i = count; i < most_in_packet; ++i) p.set(i, p[count - 1]);
+    if (count < most_in_packet) repeat_last();
   }
+
+ private:
+  void repeat_last();
 };
 
 /// Room for something of each ray, which whoever uses it makes there.
