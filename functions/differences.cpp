@@ -45,8 +45,8 @@ void Differences::operator()(const std::array<const double*, 3>& p, double step,
   evaluate(registers, step, w);
   const Pack& here = registers[here_.results[0]];
   for (std::size_t k = 0; k < 3; ++k) {
-    const Pack& beside = registers[beside_[k].results[0]];
-    for (std::size_t i = 0; i < Pack::lanes; ++i) out[k][i] = beside.v[i] - here.v[i];
+    const Pack difference = registers[beside_[k].results[0]] - here;  // `out` might be anywhere
+    std::copy_n(difference.v.begin(), Pack::lanes, out[k]);
   }
   w.batches.pop_to(mark);
 }

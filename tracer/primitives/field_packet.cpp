@@ -8,11 +8,6 @@ namespace durer::tracer {
 
 using wide::each_bit;
 
-void FieldPacket::hit(std::size_t lane, double t, std::uint32_t part) {
-  open_ &= ~(Mask{1} << lane);
-  if (t < rays_.t_to[lane]) hits_.set(lane, t, part);
-}
-
 /// A side that is known to hold from `where` on.
 void FieldPacket::settle(Mask lanes, bool inside, const PerLane<float>& where) {
   const Mask now = inside ? lanes : 0;

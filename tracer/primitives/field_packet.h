@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/geometric.hpp>
 
 #include "scene/function_surface.h"
 #include "tracer/primitives/field_walk.h"
@@ -21,7 +22,13 @@ class FieldPacket {
   /// enough to know that there is a crossing, and about where.
   FieldPacket(const FunctionField& field, const scene::Isosurface& surface, double least, bool any,
               const PacketRays& rays, PacketHits& hits)
-      : field_(field), surface_(surface), least_(least), any_(any), rays_(rays), hits_(hits) {}
+      : field_(field),
+        surface_(surface),
+        least_(least),
+        any_(any),
+        half_diagonal_(glm::length(field.half())),
+        rays_(rays),
+        hits_(hits) {}
 
   /// Answers the rays. Each answer depends on its ray and the field only.
   void run() {
@@ -39,7 +46,10 @@ class FieldPacket {
   using Mask = std::uint32_t;  // a bit for every lane
 
   void settle(Mask lanes, bool inside, const PerLane<float>& where);
-  void hit(std::size_t lane, double t, std::uint32_t part);
+  void hit(std::size_t lane, double t, std::uint32_t part) {
+    open_ &= ~(Mask{1} << lane);
+    if (t < rays_.t_to[lane]) hits_.set(lane, t, part);
+  }
   void enter(std::size_t lane);
   /// Part of a line, the values at its ends, and the slopes between.
   struct Piece {
@@ -62,6 +72,7 @@ class FieldPacket {
   const scene::Isosurface& surface_;
   double least_;
   bool any_;
+  double half_diagonal_;  // of the field
   const PacketRays& rays_;
   PacketHits& hits_;
 

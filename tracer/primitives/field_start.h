@@ -37,7 +37,7 @@ void FieldWalk<Instructions>::start(std::size_t first) {
     d.narrowed(&packet_.short_d_[k][first]);
     steps = steps + abs(d);
   }
-  const Doubles size = Doubles::all(glm::length(field_.half())) / steps;
+  const Doubles size = Doubles::all(packet_.half_diagonal_) / steps;
   (size * Doubles::all(1e-8)).store(&packet_.fine_[first]);
   (size * Doubles::all(4e-6)).narrowed(&packet_.doubt_[first]);
   packet_.open_ |= open << first;
