@@ -1,4 +1,5 @@
 #include "tracer/transport/look.h"
+#include "tracer/transport/plain_lanes.h"
 #include "tracer/transport/texture_parts.h"
 
 #include <algorithm>
@@ -35,7 +36,8 @@ Tracer::Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha)
       packets_(together_ && scene.geometry.answers_together()),
       plain_(scene.quality.lights && !scene.radiosity && scene.scene->settings.adc_bailout >= 0),
       opaque_shadows_(scene.quality.shadows && !translucent_shadows_ && !dims()),
-      quality_(scene.quality) {
+      quality_(scene.quality),
+      plain_lanes_(&plain_lanes().back()) {
   const scene::Settings& settings = scene.scene->settings;
   limits_.fill({std::clamp(settings.max_trace_level, 1, 256), settings.adc_bailout});
   if (!scene.radiosity) return;
