@@ -21,7 +21,7 @@ void Tracer::trace(std::span<Sample> samples) {
     }
     return;
   }
-  const bool met = packets_ && meet(samples);
+  const bool met = meet(samples);
   const bool lights = met && plain_ && opaque_shadows_ && !in_air_;
   const std::uint32_t lit = lights ? light_met(samples) : 0;
   std::array<FoundSurface*, most_together> waiting;

@@ -112,7 +112,7 @@ struct Scratch {
   dvec3 left_normal{0.0};  // as patterns saw it last, in the part of a mixed texture shown last
   std::vector<FoundSurface> found;       // by rays that are followed side by side
   std::vector<FoundLayer> found_layers;
-  std::vector<MeetingRay> meeting;       // if some objects answer rays together
+  std::vector<MeetingRay> meeting;       // likewise
   std::vector<ShadowRay> shadow_rays;    // likewise
 };
 
@@ -475,8 +475,7 @@ class Tracer {
   bool air_;     // there is fog or the like …
   bool in_air_;  // … or there are media …
   bool gathers_air_ = false;  // … and rays that gather indirect light see it
-  bool together_;             // rays may be followed side by side …
-  bool packets_;              // … and some objects answer them together
+  bool together_;             // rays may be followed side by side
   bool plain_;           // plain textures may be lit the short way
   bool opaque_shadows_;  // any caster of shadows stops all light
   Quality quality_;
