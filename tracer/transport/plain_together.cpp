@@ -1,6 +1,8 @@
 // The short way for several points: lamp by lamp, so that objects which answer rays together are
 // asked once for all points that a lamp may light.
-#include <bit>
+#include <array>
+#include <glm/geometric.hpp>
+#include <optional>
 
 #include "tracer/accel/lanes.h"
 #include "tracer/transport/plain.h"
@@ -29,10 +31,10 @@ DURER_INLINE auto at(const PlainPoints::Vectors<Number>& v, std::size_t i) {
 
 /// What points share that are lit together.
 struct Tracer::PlainKind {
-  const TextureProgram* texture;
-  std::uint32_t lamps;
-  bool double_illuminate;
-  bool collects;
+  const TextureProgram* texture = nullptr;
+  std::uint32_t lamps = 0;
+  bool double_illuminate = false;
+  bool collects = false;
   friend bool operator==(const PlainKind&, const PlainKind&) = default;
 };
 
@@ -43,115 +45,139 @@ struct Tracer::PlainGroup {
   PlainPoints points;
 
   explicit PlainGroup(const PlainKind& k) : kind(k) { points.count = 0; }
-  void add(Sample& sample, const dvec3& p, const dvec3& n, const vec3& pigment) {
+  void add(Sample& sample, const dvec3& p, const dvec3& n) {
     const std::size_t i = points.count++;
     samples[i] = &sample;
     put(p, points.p, i);
     put(sample.path.ray.d, points.d, i);
     put(n, points.n, i);
-    put(pigment, points.pigment, i);
     points.noise[i] = sample.noise;
   }
 };
 
-/// Calls visit(kind, who) for those of each kind.
-template <typename Kinds, typename Visit>
-DURER_INLINE void each_kind(const Kinds& kinds, Mask open, const Visit& visit) {
-  while (open != 0) {
-    const auto& kind = kinds[static_cast<std::size_t>(std::countr_zero(open))];
-    Mask same = 0;
-    each_bit(open, [&](std::size_t i)
-                       DURER_LAMBDA_INLINE { same |= (kinds[i] == kind ? Mask{1} : 0) << i; });
-    open &= ~same;
-    visit(kind, same);
+/// Points by kind: nearly always there is one.
+struct Tracer::PlainKinds {
+  Packet<PlainKind> kinds;
+  std::array<Mask, most_together> who;
+  std::size_t count = 0;
+
+  /// The place of a kind.
+  [[nodiscard]] std::size_t find(const PlainKind& kind) {
+    std::size_t i = 0;
+    while (i < count && kinds[i] != kind) ++i;
+    if (i == count) {
+      ::new (&kinds[i]) PlainKind(kind);
+      who[i] = 0;
+      ++count;
+    }
+    return i;
   }
-}
+};
 
 /// Lights what rays have met and goes the short way, without looking at it any closer; returns a
 /// bit for each of those.
 std::uint32_t Tracer::light_met(std::span<Sample> samples) {
-  std::array<PlainKind, most_together> kinds;
+  PlainKinds found;
   Mask lit = 0;
   Mask from_inside = 0;
+  // What the last one has shown: neighbours are alike.
+  std::uint32_t last_leaf = scene::none;
+  bool last_inside = false;
+  std::optional<std::size_t> last;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const MeetingRay& ray = scratch_->meeting[i];
-    if (!ray.met) continue;
+    if (!ray.met || ray.hit.depth > 0) continue;
     const bool inside = glm::dot(ray.hit.n, samples[i].path.ray.d) > 0;
-    if (!is_plain(ray.hit, inside, kinds[i])) continue;
+    if (ray.hit.leaf != last_leaf || inside != last_inside) {
+      last_leaf = ray.hit.leaf;
+      last_inside = inside;
+      const PlainKind kind = kind_of(last_leaf, inside);
+      last = kind.texture != nullptr ? std::optional(found.find(kind)) : std::nullopt;
+    }
+    if (!last) continue;
+    found.who[*last] |= Mask{1} << i;
     lit |= Mask{1} << i;
     from_inside |= Mask{inside} << i;
   }
-  each_kind(kinds, lit,
-            [&](const PlainKind& kind, Mask same) { light_met(samples, kind, same, from_inside); });
+  for (std::size_t k = 0; k < found.count; ++k) {
+    light_met(samples, found.kinds[k], found.who[k], from_inside);
+  }
   return lit;
 }
 
 /// The same for those of one kind.
 void Tracer::light_met(std::span<Sample> samples, const PlainKind& kind, std::uint32_t same,
                        std::uint32_t from_inside) {
-  dvec3* const normals = scratch_->found_layers.front().normals.data();
-  Colour* const colours = scratch_->found_layers.front().colours.data();
-  std::array<dvec3, most_together> places;
-  std::size_t count = 0;
+  PlainGroup group(kind);
   each_bit(same, [&](std::size_t i) DURER_LAMBDA_INLINE {
     const Hit& hit = scratch_->meeting[i].hit;
-    places[count] = hit.p;
-    normals[count++] = (from_inside >> i & 1) != 0 ? -hit.n : hit.n;
+    group.add(samples[i], hit.p, (from_inside >> i & 1) != 0 ? -hit.n : hit.n);
   });
-  const LayerProgram& layer = scene_->textures.layer(kind.texture->first_layer);
-  const auto points = std::span(places).first(count);
-  scene_->textures.pigments().at(layer.pigment, points, colours);
-  if (layer.normal != scene::none) {
-    std::size_t k = 0;
-    each_bit(same, [&](std::size_t i) DURER_LAMBDA_INLINE {
-      places[k++] = scratch_->meeting[i].hit.p;  // pigments have moved them
-    });
-    scene_->textures.normals().at(layer.normal, points, normals);
-    for (std::size_t i = 0; i < count; ++i) normals[i] = glm::normalize(normals[i]);
-  }
-  PlainGroup group(kind);
-  std::size_t k = 0;
-  each_bit(same, [&](std::size_t i) DURER_LAMBDA_INLINE {
-    group.add(samples[i], scratch_->meeting[i].hit.p, normals[k], colours[k].rgb);
-    ++k;
-  });
+  look_up(group);
   light(group);
 }
 
-/// True if a hit is lit the short way, and looks the same without its View.
-bool Tracer::is_plain(const Hit& hit, bool from_inside, PlainKind& kind) const {
-  const SurfaceProgram& s = scene_->surfaces[leaves_[hit.leaf].surface];
-  if (!s.bare || hit.depth > 0) return false;
+/// Colours and bumps of points whose normals are those of the surface.
+void Tracer::look_up(PlainGroup& group) const {
+  PlainPoints& points = group.points;
+  const LayerProgram& layer = scene_->textures.layer(group.kind.texture->first_layer);
+  const PigmentStore& pigments = scene_->textures.pigments();
+  std::array<dvec3, most_together> places;
+  const auto all_places = [&] {
+    for (std::size_t i = 0; i < points.count; ++i) places[i] = at(points.p, i);
+    return std::span(places).first(points.count);
+  };
+  if (const Colour* colour = pigments.everywhere(layer.pigment); colour != nullptr) {
+    points.pigment[0].fill(colour->rgb.x);
+    points.pigment[1].fill(colour->rgb.y);
+    points.pigment[2].fill(colour->rgb.z);
+  } else {
+    std::array<Colour, most_together> colours;
+    pigments.at(layer.pigment, all_places(), colours.data());
+    for (std::size_t i = 0; i < points.count; ++i) put(colours[i].rgb, points.pigment, i);
+  }
+  if (layer.normal == scene::none) return;
+  std::array<dvec3, most_together> normals;
+  for (std::size_t i = 0; i < points.count; ++i) normals[i] = at(points.n, i);
+  scene_->textures.normals().at(layer.normal, all_places(), normals.data());
+  for (std::size_t i = 0; i < points.count; ++i) put(glm::normalize(normals[i]), points.n, i);
+}
+
+/// The kind of points of a leaf that stands in no shared contents; without a texture, if they are
+/// not lit the short way, or look different without their View.
+Tracer::PlainKind Tracer::kind_of(std::uint32_t leaf, bool from_inside) const {
+  const SurfaceProgram& s = scene_->surfaces[leaves_[leaf].surface];
+  if (!s.bare) return {};
   const TextureProgram& texture = scene_->textures.program(from_inside ? s.inside : s.outside);
-  if (!texture.plain || texture.uses_uv || texture.asks_view) return false;
+  if (!texture.plain || texture.uses_uv || texture.asks_view) return {};
   const bool collects = s.photons.collects();
-  if (collects && has_caustics()) return false;
-  kind = {&texture, s.lamps, s.double_illuminate, collects};
-  return true;
+  if (collects && has_caustics()) return {};
+  return {&texture, s.lamps, s.double_illuminate, collects};
 }
 
 /// Lights those samples that go the short way and have been looked up; they wait no longer. Asks
 /// the same rays as if they were lit one by one.
 void Tracer::light_together(std::span<Sample> samples) {
-  std::array<PlainKind, most_together> kinds;
-  Mask open = 0;
+  PlainKinds known;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     FoundSurface& found = scratch_->found[i];
     const View& view = found.look.view;
     if (!found.waits || !is_plain(view) || view.known.empty()) continue;
     found.waits = false;
-    kinds[i] = {view.texture, view.lamps, view.double_illuminate, view.collects};
-    open |= Mask{1} << i;
+    const std::size_t k =
+        known.find({view.texture, view.lamps, view.double_illuminate, view.collects});
+    known.who[k] |= Mask{1} << i;
   }
-  each_kind(kinds, open, [&](const PlainKind& kind, Mask same) {
-    PlainGroup group(kind);
-    each_bit(same, [&](std::size_t i) DURER_LAMBDA_INLINE {
+  for (std::size_t k = 0; k < known.count; ++k) {
+    PlainGroup group(known.kinds[k]);
+    each_bit(known.who[k], [&](std::size_t i) DURER_LAMBDA_INLINE {
       const View& view = scratch_->found[i].look.view;
       const LayerLook& own = view.known.front();
-      group.add(samples[i], view.p, *own.n, own.colour->rgb);
+      put(own.colour->rgb, group.points.pigment, group.points.count);
+      group.add(samples[i], view.p, *own.n);
     });
     light(group);
-  });
+  }
 }
 
 void Tracer::light(PlainGroup& group) {

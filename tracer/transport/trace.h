@@ -363,11 +363,13 @@ class Tracer {
                               vec3& light);
   // plain_together.cpp
   struct PlainKind;
+  struct PlainKinds;
   struct PlainGroup;
   [[nodiscard]] std::uint32_t light_met(std::span<Sample> samples);
   void light_met(std::span<Sample> samples, const PlainKind& kind, std::uint32_t same,
                  std::uint32_t from_inside);
-  [[nodiscard]] bool is_plain(const Hit& hit, bool from_inside, PlainKind& kind) const;
+  void look_up(PlainGroup& group) const;
+  [[nodiscard]] PlainKind kind_of(std::uint32_t leaf, bool from_inside) const;
   void light_together(std::span<Sample> samples);
   void light(PlainGroup& group);
   void add_lamp(std::uint32_t number, PlainGroup& group);
