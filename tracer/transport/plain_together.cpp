@@ -2,6 +2,7 @@
 // asked once for all points that a lamp may light.
 #include <array>
 #include <glm/geometric.hpp>
+#include <new>
 #include <optional>
 
 #include "tracer/accel/lanes.h"
