@@ -33,6 +33,7 @@ void Tracer::trace(std::span<Sample> samples) {
     found.waits = met ? find_met(samples[i], scratch_->meeting[i], found) : find(samples[i], found);
     if (found.waits) waiting[count++] = &found;
   }
+  if (count == 0) return;
   for (std::size_t first = 0; first < count;) {
     const TextureProgram* texture = waiting[first]->look.view.texture;
     std::size_t end = first + 1;
@@ -40,7 +41,7 @@ void Tracer::trace(std::span<Sample> samples) {
     if (end - first > 1) look_up({&waiting[first], end - first}, first);
     first = end;
   }
-  if (lights && count > 0) light_together(samples);
+  if (lights) light_together(samples);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!scratch_->found[i].waits) continue;
     Sample& sample = samples[i];
