@@ -17,7 +17,7 @@ durer_library(tracer
     transport/area_shadow.cpp transport/atmosphere.cpp transport/caustics.cpp transport/emitters.cpp transport/irradiance_cache.cpp transport/irradiance_file.cpp transport/light.cpp
     transport/media.cpp transport/media_scattering.cpp transport/media_lights.cpp transport/media_samples.cpp transport/path_lights.cpp transport/path_media.cpp transport/path_surface.cpp
     transport/path_tracer.cpp transport/photon_file.cpp transport/photon_gathering.cpp transport/photon_map.cpp
-    transport/photon_plan.cpp transport/plain.cpp transport/plain_together.cpp transport/photon_search.cpp transport/photon_shooting.cpp transport/photon_tracer.cpp transport/radiosity.cpp transport/shadow.cpp
+    transport/photon_plan.cpp transport/plain.cpp transport/plain_lanes.cpp transport/plain_together.cpp transport/photon_search.cpp transport/photon_shooting.cpp transport/photon_tracer.cpp transport/radiosity.cpp transport/shadow.cpp
     transport/subsurface.cpp transport/surface.cpp transport/texture_parts.cpp transport/together.cpp transport/trace.cpp
     film/antialias.cpp film/jitter.cpp film/eye.cpp film/lens.cpp film/lens_points.cpp film/pretrace.cpp film/progress.cpp
     film/progressive.cpp film/render.cpp
@@ -26,7 +26,8 @@ durer_library(tracer
 # Nobody asks what errno says about square roots.
 target_compile_options(durer_tracer PRIVATE -fno-math-errno)
 # Wide vectors are only passed to what becomes part of its caller.
-set_source_files_properties(transport/irradiance_cache.cpp transport/photon_search.cpp
+set_source_files_properties(transport/irradiance_cache.cpp transport/photon_search.cpp transport/plain_lanes.cpp
+  transport/plain_together.cpp
   PROPERTIES COMPILE_OPTIONS -Wno-psabi)
 if(TARGET durer::image)
   target_link_libraries(durer_tracer PUBLIC durer::image)

@@ -10,14 +10,6 @@ namespace {
 
 float greatest(vec3 c) { return std::max({c.x, c.y, c.z}); }
 
-// How far a metal's colour shows at an angle: towards grazing it turns white (shading §4.5).
-vec3 metal_tint(float metallic, double cosine, vec3 pigment) {
-  const double x = std::abs(std::acos(std::clamp(cosine, -1.0, 1.0))) / (std::numbers::pi / 2);
-  const double u = x - 1.12;
-  const double phi = std::clamp(0.014567225 / (u * u) - 0.011612903, 0.0, 1.0);
-  return 1.0F + static_cast<float>(metallic * (1 - phi)) * (pigment - 1.0F);
-}
-
 // Where a power of the cosine falls below what any picture can show.
 double least_cosine(double exponent) {
   constexpr double unseen = 1e-9;
@@ -32,6 +24,13 @@ vec3 blend(const Finish& f, double share) {
 }
 
 }  // namespace
+
+vec3 metal_tint(float metallic, double cosine, vec3 pigment) {
+  const double x = std::abs(std::acos(std::clamp(cosine, -1.0, 1.0))) / (std::numbers::pi / 2);
+  const double u = x - 1.12;
+  const double phi = std::clamp(0.014567225 / (u * u) - 0.011612903, 0.0, 1.0);
+  return 1.0F + static_cast<float>(metallic * (1 - phi)) * (pigment - 1.0F);
+}
 
 double fresnel_reflectance(double cosi, double n) {
   const double g2 = n * n + cosi * cosi - 1;
@@ -107,9 +106,7 @@ vec3 highlight(const Finish& f, const dvec3& d, const dvec3& n, const dvec3& l, 
     const dvec3 half = (l - d) / 2.0;
     const double along = glm::dot(half, n);
     const double square = glm::dot(half, half);
-    // Most highlights are too weak; to see this takes no root.
-    constexpr double rounding = 1e-12;
-    const double least = f.least_specular * (1 - rounding);
+    const double least = f.least_specular * (1 - highlight_rounding);
     if (along > 0 && along * along > least * least * square) {
       const double s = along / std::sqrt(square);
       if (s > f.least_specular) sum += f.specular * f.specular_exponent.of(s);

@@ -61,6 +61,12 @@ struct Reflectivity {
 /// Unpolarised reflectance of a dielectric; 1 beyond the critical angle. `n`: behind over before.
 [[nodiscard]] double fresnel_reflectance(double cosine, double n);
 
+/// How far a metal's colour shows at an angle: towards grazing it turns white (shading §4.5).
+[[nodiscard]] vec3 metal_tint(float metallic, double cosine, vec3 pigment);
+
+/// Most highlights are too weak; squares of cosines tell it without a root, but for rounding.
+inline constexpr double highlight_rounding = 1e-12;
+
 /// Phong and specular light of one lamp, without the lamp's colour; per component because metals
 /// tint it. `d`: view direction, `l`: to the light, both of unit length (shading §4.5).
 [[nodiscard]] vec3 highlight(const Finish& finish, const dvec3& d, const dvec3& n, const dvec3& l,

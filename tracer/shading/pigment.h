@@ -32,6 +32,11 @@ class PigmentStore {
   static constexpr std::size_t most_points = 16;
   void at(PigmentId id, std::span<dvec3> points, Colour* out) const;
 
+  /// Its colour, if that is the same wherever it is looked at; else null.
+  [[nodiscard]] const Colour* everywhere(PigmentId id) const {
+    return nodes_[id].pattern.type == nullptr ? &nodes_[id].colour : nullptr;
+  }
+
   /// False where it shows nothing: beyond a picture that is shown once, and only there (textures
   /// §14.4).
   [[nodiscard]] bool covers(PigmentId id, const dvec3& p, const SurfaceView* view = nullptr) const;

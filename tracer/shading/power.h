@@ -17,6 +17,8 @@ class Exponent {
   }
 
   [[nodiscard]] bool is_one() const { return whole_ == 1; }
+  /// The exponent, if powers are multiplied out; else 0.
+  [[nodiscard]] unsigned whole() const { return whole_; }
   operator float() const { return value_; }  // NOLINT: meant to convert
 
   /// x to this power, x >= 0. Whole exponents n are multiplied out, in a third of the time; the

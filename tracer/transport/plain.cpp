@@ -1,13 +1,13 @@
 // The short way for most surfaces: one opaque layer that glows and is lit by lamps, and neither
 // mirrors nor spreads light below (TextureProgram::plain). Same terms in the same order as
 // sum_layers(), with all that is 0 or 1 there left out.
-#include "tracer/transport/layers.h"
 #include "tracer/transport/plain.h"
+#include "tracer/transport/layers.h"
 
 namespace durer::tracer {
 
 void Tracer::plain_light(const View& view, const Containment& inside, vec3& light) {
-  const Finish& finish = finish_of_plain(view);
+  const Finish& finish = finish_of_plain(*view.texture);
   dvec3 n;
   Colour colour;
   const LayerLook own = view.known.empty() ? look_alone(view, n, colour) : view.known.front();
@@ -17,12 +17,11 @@ void Tracer::plain_light(const View& view, const Containment& inside, vec3& ligh
   if (finish.lit) {
     for (const std::uint32_t i : lamp_sets_[view.lamps]) {
       if_lit(i, view, layer,
-             [&](const Light& lamp, const Incidence& in, bool hidden) DURER_LAMBDA_INLINE {
-               add_light(view, inside, layer, lamp, in, hidden, lit);
-             });
+             [&](const Light& lamp, const Incidence& in, bool hidden)
+                 DURER_LAMBDA_INLINE { add_light(view, inside, layer, lamp, in, hidden, lit); });
     }
   }
-  add_glow(layer, lit, light);
+  add_glow(finish, layer.pigment, lit, light);
 }
 
 Tracer::LayerLook Tracer::look_alone(const View& view, dvec3& n, Colour& colour) const {

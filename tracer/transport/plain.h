@@ -5,9 +5,9 @@
 
 namespace durer::tracer {
 
-inline const Finish& Tracer::finish_of_plain(const View& view) const {
+inline const Finish& Tracer::finish_of_plain(const TextureProgram& texture) const {
   const TextureStore& textures = scene_->textures;
-  return textures.finish(textures.layer(view.texture->first_layer));
+  return textures.finish(textures.layer(texture.first_layer));
 }
 
 /// Calls visit(lamp, incidence, hidden) if a lamp may light the layer, as far as nothing is in its
@@ -39,8 +39,9 @@ DURER_INLINE void Tracer::add_light(const View& view, const Containment& inside,
 }
 
 /// What the layer sends out, with the light that lamps throw on it.
-inline void Tracer::add_glow(const LayerPoint& layer, const vec3& lit, vec3& light) {
-  const vec3 glow = layer.pigment * layer.finish->glow_pigment;
+inline void Tracer::add_glow(const Finish& finish, const vec3& pigment, const vec3& lit,
+                             vec3& light) {
+  const vec3 glow = pigment * finish.glow_pigment;
   light.x = glow.x + lit.x;
   light.y = glow.y + lit.y;
   light.z = glow.z + lit.z;

@@ -1,105 +1,302 @@
 // The short way for several points: lamp by lamp, so that objects which answer rays together are
 // asked once for all points that a lamp may light.
+#include <array>
+#include <glm/geometric.hpp>
 #include <new>
+#include <optional>
 
+#include "tracer/accel/lanes.h"
 #include "tracer/transport/plain.h"
+#include "tracer/transport/plain_lanes.h"
 
 namespace durer::tracer {
+
+using wide::each_bit;
+
 namespace {
 
-/// Copies number by number: reading at once, in larger pieces, what was just computed takes long.
-template <typename Vector>
-DURER_INLINE void put(const Vector& from, Vector& to) {
-  to.x = from.x;
-  to.y = from.y;
-  to.z = from.z;
+using Mask = PlainPoints::Mask;
+
+template <typename Number, typename Vector>
+DURER_INLINE void put(const Vector& from, PlainPoints::Vectors<Number>& to, std::size_t i) {
+  to[0][i] = from.x;
+  to[1][i] = from.y;
+  to[2][i] = from.z;
+}
+template <typename Number>
+DURER_INLINE auto at(const PlainPoints::Vectors<Number>& v, std::size_t i) {
+  return glm::vec<3, Number>(v[0][i], v[1][i], v[2][i]);
 }
 
 }  // namespace
 
-/// A point on its way to be lit.
-struct Tracer::PlainPoint {
-  Sample* sample = nullptr;
-  const View* view = nullptr;
-  LayerPoint layer;
-  vec3 lit{0.0F};
+/// What points share that are lit together.
+struct Tracer::PlainKind {
+  const TextureProgram* texture = nullptr;
+  std::uint32_t lamps = 0;
+  bool double_illuminate = false;
+  bool collects = false;
+  friend bool operator==(const PlainKind&, const PlainKind&) = default;
 };
 
-/// Lights those samples that go the short way and have been looked up; they wait no longer. Asks the
-/// same rays as if they were lit one by one.
-void Tracer::light_together(std::span<Sample> samples) {
-  Packet<PlainPoint> points;
+/// Points on their way to be lit.
+struct Tracer::PlainGroup {
+  PlainKind kind;
+  std::array<Sample*, most_together> samples;
+  PlainPoints points;
+
+  explicit PlainGroup(const PlainKind& k) : kind(k) { points.count = 0; }
+  void add(Sample& sample, const dvec3& p, const dvec3& n) {
+    const std::size_t i = points.count++;
+    samples[i] = &sample;
+    put(p, points.p, i);
+    put(sample.path.ray.d, points.d, i);
+    put(n, points.n, i);
+    points.noise[i] = sample.noise;
+  }
+};
+
+/// Points by kind: nearly always there is one.
+struct Tracer::PlainKinds {
+  Packet<PlainKind> kinds;
+  std::array<Mask, most_together> who;
   std::size_t count = 0;
+
+  /// The place of a kind.
+  [[nodiscard]] std::size_t find(const PlainKind& kind) {
+    std::size_t i = 0;
+    while (i < count && kinds[i] != kind) ++i;
+    if (i == count) {
+      ::new (&kinds[i]) PlainKind(kind);
+      who[i] = 0;
+      ++count;
+    }
+    return i;
+  }
+};
+
+/// Lights what rays have met and goes the short way, without looking at it any closer; returns a
+/// bit for each of those.
+std::uint32_t Tracer::light_met(std::span<Sample> samples) {
+  PlainKinds found;
+  Mask lit = 0;
+  Mask from_inside = 0;
+  // What the last one has shown: neighbours are alike.
+  std::uint32_t last_leaf = scene::none;
+  bool last_inside = false;
+  std::optional<std::size_t> last;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const MeetingRay& ray = scratch_->meeting[i];
+    if (!ray.met || ray.hit.depth > 0) continue;
+    const bool inside = glm::dot(ray.hit.n, samples[i].path.ray.d) > 0;
+    if (ray.hit.leaf != last_leaf || inside != last_inside) {
+      last_leaf = ray.hit.leaf;
+      last_inside = inside;
+      const PlainKind kind = kind_of(last_leaf, inside);
+      last = kind.texture != nullptr ? std::optional(found.find(kind)) : std::nullopt;
+    }
+    if (!last) continue;
+    found.who[*last] |= Mask{1} << i;
+    lit |= Mask{1} << i;
+    from_inside |= Mask{inside} << i;
+  }
+  for (std::size_t k = 0; k < found.count; ++k) {
+    light_met(samples, found.kinds[k], found.who[k], from_inside);
+  }
+  return lit;
+}
+
+/// The same for those of one kind.
+void Tracer::light_met(std::span<Sample> samples, const PlainKind& kind, std::uint32_t same,
+                       std::uint32_t from_inside) {
+  PlainGroup group(kind);
+  each_bit(same, [&](std::size_t i) DURER_LAMBDA_INLINE {
+    const Hit& hit = scratch_->meeting[i].hit;
+    group.add(samples[i], hit.p, (from_inside >> i & 1) != 0 ? -hit.n : hit.n);
+  });
+  look_up(group);
+  light(group);
+}
+
+/// Colours and bumps of points whose normals are those of the surface.
+void Tracer::look_up(PlainGroup& group) const {
+  PlainPoints& points = group.points;
+  const LayerProgram& layer = scene_->textures.layer(group.kind.texture->first_layer);
+  const PigmentStore& pigments = scene_->textures.pigments();
+  std::array<dvec3, most_together> places;
+  const auto all_places = [&] {
+    for (std::size_t i = 0; i < points.count; ++i) places[i] = at(points.p, i);
+    return std::span(places).first(points.count);
+  };
+  if (const Colour* colour = pigments.everywhere(layer.pigment); colour != nullptr) {
+    points.pigment[0].fill(colour->rgb.x);
+    points.pigment[1].fill(colour->rgb.y);
+    points.pigment[2].fill(colour->rgb.z);
+  } else {
+    std::array<Colour, most_together> colours;
+    pigments.at(layer.pigment, all_places(), colours.data());
+    for (std::size_t i = 0; i < points.count; ++i) put(colours[i].rgb, points.pigment, i);
+  }
+  if (layer.normal == scene::none) return;
+  std::array<dvec3, most_together> normals;
+  for (std::size_t i = 0; i < points.count; ++i) normals[i] = at(points.n, i);
+  scene_->textures.normals().at(layer.normal, all_places(), normals.data());
+  for (std::size_t i = 0; i < points.count; ++i) put(glm::normalize(normals[i]), points.n, i);
+}
+
+/// The kind of points of a leaf that stands in no shared contents; without a texture, if they are
+/// not lit the short way, or look different without their View.
+Tracer::PlainKind Tracer::kind_of(std::uint32_t leaf, bool from_inside) const {
+  const SurfaceProgram& s = scene_->surfaces[leaves_[leaf].surface];
+  if (!s.bare) return {};
+  const TextureProgram& texture = scene_->textures.program(from_inside ? s.inside : s.outside);
+  if (!texture.plain || texture.uses_uv || texture.asks_view) return {};
+  const bool collects = s.photons.collects();
+  if (collects && has_caustics()) return {};
+  return {&texture, s.lamps, s.double_illuminate, collects};
+}
+
+/// Lights those samples that go the short way and have been looked up; they wait no longer. Asks
+/// the same rays as if they were lit one by one.
+void Tracer::light_together(std::span<Sample> samples) {
+  PlainKinds known;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     FoundSurface& found = scratch_->found[i];
     const View& view = found.look.view;
     if (!found.waits || !is_plain(view) || view.known.empty()) continue;
     found.waits = false;
-    const LayerLook& own = view.known.front();
-    PlainPoint& point = *::new (&points[count++]) PlainPoint;
-    point.sample = &samples[i];
-    point.view = &view;
-    point.layer.finish = &finish_of_plain(view);
-    put(*own.n, point.layer.n);
-    put(own.colour->rgb, point.layer.pigment);
+    const std::size_t k =
+        known.find({view.texture, view.lamps, view.double_illuminate, view.collects});
+    known.who[k] |= Mask{1} << i;
   }
-  for (std::size_t first = 0; first < count;) {
-    const std::uint32_t lamps = points[first].view->lamps;
-    std::size_t end = first + 1;
-    while (end < count && points[end].view->lamps == lamps) ++end;
-    const std::span<PlainPoint> same = points.first(end).subspan(first);
-    for (const std::uint32_t lamp : lamp_sets_[lamps]) add_lamp(lamp, same);
-    first = end;
-  }
-  for (const PlainPoint& point : points.first(count)) {
-    add_glow(point.layer, point.lit, point.sample->seen.colour);
-    point.sample->seen.transmittance = 0;
+  for (std::size_t k = 0; k < known.count; ++k) {
+    PlainGroup group(known.kinds[k]);
+    each_bit(known.who[k], [&](std::size_t i) DURER_LAMBDA_INLINE {
+      const View& view = scratch_->found[i].look.view;
+      const LayerLook& own = view.known.front();
+      put(own.colour->rgb, group.points.pigment, group.points.count);
+      group.add(samples[i], view.p, *own.n);
+    });
+    light(group);
   }
 }
 
-/// Adds the light of one lamp to points that it is for.
-void Tracer::add_lamp(std::uint32_t number, std::span<PlainPoint> points) {
-  struct Waiting {
-    PlainPoint* point;
-    vec3 light;
-    bool hidden;
-  };
-  Packet<Waiting> waiting;
-  std::size_t count = 0;
-  for (PlainPoint& point : points) {
-    const View& view = *point.view;
-    if (!point.layer.finish->lit) continue;
-    const auto wait_or_light = [&](const Light& lamp, const Incidence& in,
-                                   bool hidden) DURER_LAMBDA_INLINE {
-      if (lamp.plain && in.distance > 2 * t_shadow) {
-        ShadowRay& ray = scratch_->shadow_rays[count];
-        put(view.p, ray.ray.o);
-        put(in.l, ray.ray.d);
-        ray.t_from = t_shadow;
-        ray.t_to = in.distance - t_shadow;
-        Waiting& w = *::new (&waiting[count++]) Waiting;
-        w.point = &point;
-        put(in.colour, w.light);
-        w.hidden = hidden;
-        return;
-      }
-      scratch_->noise = point.sample->noise;
-      const Incidence kept = in;  // `in` itself may stay in registers
-      add_light(view, point.sample->path.inside, point.layer, lamp, kept, hidden, point.lit);
-      point.sample->noise = scratch_->noise;
-    };
-    if_lit(number, view, point.layer, wait_or_light);
+void Tracer::light(PlainGroup& group) {
+  PlainPoints& points = group.points;
+  const Finish& finish = finish_of_plain(*group.kind.texture);
+  points.finish = &finish;
+  for (auto& lit : points.lit) lit.fill(0);
+  // Registers are full: of points that are there already.
+  for (std::size_t i = points.count; i % PlainPoints::group != 0; ++i) {
+    put(at(points.p, 0), points.p, i);
+    put(at(points.d, 0), points.d, i);
+    put(at(points.n, 0), points.n, i);
   }
+  if (finish.lit) {
+    for (const std::uint32_t lamp : lamp_sets_[group.kind.lamps]) {
+      if (scene_->lights[lamp].plain) {
+        add_lamp(lamp, group);
+      } else {
+        add_wide_lamp(lamp, group);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < points.count; ++i) {
+    Sample& sample = *group.samples[i];
+    add_glow(finish, at(points.pigment, i), at(points.lit, i), sample.seen.colour);
+    sample.seen.transmittance = 0;
+    sample.noise = points.noise[i];
+  }
+}
+
+/// Adds the light of one lamp that is a point, and which anything stops.
+void Tracer::add_lamp(std::uint32_t number, PlainGroup& group) {
+  const Light& lamp = scene_->lights[number];
+  if (dark(lamp.colour)) return;
+  PlainPoints& points = group.points;
+  const Finish& finish = *points.finish;
+  plain_lanes_->aim(points, lamp);
+  if (group.kind.double_illuminate) points.facing = ~Mask{0};
+  Mask open = points.apart & ((Mask{2} << (points.count - 1)) - 1);
+  if (finish.diffuse_back == 0) open &= points.facing;
+  PlainBeam beam{lamp.colour};
+  alignas(64) PlainPoints::PerPoint<float> shares;
+  if (lamp.weakened) {
+    open = weaken(number, points, open, shares.data());
+    beam.shares = shares.data();
+  }
+  const Mask lit = unblocked(points, open);
+  if (const Mask front = lit & points.facing; front != 0) {
+    beam.diffuse = finish.diffuse;
+    plain_lanes_->shade(points, beam, front);
+  }
+  if (const Mask back = lit & ~points.facing; back != 0) {
+    beam.diffuse = finish.diffuse_back;
+    beam.highlights = false;
+    plain_lanes_->shade(points, beam, back);
+  }
+}
+
+/// Of a lamp whose light depends on the place: its share for each point, and who gets some of it.
+std::uint32_t Tracer::weaken(std::uint32_t number, const PlainPoints& points, std::uint32_t open,
+                             float* shares) const {
+  const Light& lamp = scene_->lights[number];
+  const Reach& reach = scene_->reaches[number];
+  Mask left = 0;
+  each_bit(open, [&](std::size_t i) DURER_LAMBDA_INLINE {
+    const dvec3 p = at(points.p, i);
+    if (!reach.contains(p)) return;
+    const Incidence in{at(points.l, i), points.distance[i], lamp.colour};
+    shares[i] = static_cast<float>(tracer::attenuation(lamp, in, p));
+    if (!dark(lamp.colour * shares[i])) left |= Mask{1} << i;
+  });
+  return left;
+}
+
+/// Those points between which and the lamp nothing stands.
+std::uint32_t Tracer::unblocked(const PlainPoints& points, std::uint32_t open) {
+  std::array<std::uint8_t, most_together> asking;
+  std::size_t count = 0;
+  each_bit(open, [&](std::size_t i) DURER_LAMBDA_INLINE {
+    if (!(points.distance[i] > 2 * t_shadow)) return;
+    ShadowRay& ray = scratch_->shadow_rays[count];
+    ray.ray.o = at(points.p, i);
+    ray.ray.d = at(points.l, i);
+    ray.t_from = t_shadow;
+    ray.t_to = points.distance[i] - t_shadow;
+    asking[count++] = static_cast<std::uint8_t>(i);
+  });
   scratch_->rays += count;
   const auto rays = std::span(scratch_->shadow_rays).first(count);
   scene_->geometry.occluded(rays, *scratch_->geometry);
   for (std::size_t i = 0; i < count; ++i) {
-    if (rays[i].blocked) continue;
-    const auto& [point, light, hidden] = waiting[i];
-    scratch_->noise = point->sample->noise;
-    point->lit +=
-        shade_from(*point->view, point->layer, rays[i].ray.d, light, {hidden, true, true});
-    point->sample->noise = scratch_->noise;
+    open &= ~((rays[i].blocked ? Mask{1} : 0) << asking[i]);
+  }
+  return open;
+}
+
+/// Adds the light of a lamp that is more than a point, or casts no shadows: point by point.
+void Tracer::add_wide_lamp(std::uint32_t number, PlainGroup& group) {
+  PlainPoints& points = group.points;
+  for (std::size_t i = 0; i < points.count; ++i) {
+    View view;  // as far as lamps ask for it
+    view.p = view.q = at(points.p, i);
+    view.d = at(points.d, i);
+    view.g = view.seen = at(points.n, i);
+    view.texture = group.kind.texture;
+    view.lamps = group.kind.lamps;
+    view.double_illuminate = group.kind.double_illuminate;
+    view.collects = group.kind.collects;
+    const LayerPoint layer{points.finish, 1, view.g, at(points.pigment, i)};
+    vec3 lit = at(points.lit, i);
+    scratch_->noise = points.noise[i];
+    if_lit(number, view, layer,
+           [&](const Light& lamp, const Incidence& in, bool hidden) DURER_LAMBDA_INLINE {
+             const Incidence kept = in;  // `in` itself may stay in registers
+             add_light(view, group.samples[i]->path.inside, layer, lamp, kept, hidden, lit);
+           });
+    points.noise[i] = scratch_->noise;
+    put(lit, points.lit, i);
   }
 }
 

@@ -1,5 +1,5 @@
-// Rays of neighbouring pixels side by side: first what each of them meets, then what that looks like,
-// for all points on one texture together, then the light on each.
+// Rays of neighbouring pixels side by side: first what each of them meets, then what that looks
+// like, for all points on one texture together, then the light on each.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,14 +21,19 @@ void Tracer::trace(std::span<Sample> samples) {
     }
     return;
   }
-  const bool met = packets_ && meet(samples);
+  const bool met = meet(samples);
+  const bool lights = met && plain_ && opaque_shadows_ && !in_air_;
+  const std::uint32_t lit = lights ? light_met(samples) : 0;
   std::array<FoundSurface*, most_together> waiting;
   std::size_t count = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     FoundSurface& found = scratch_->found[i];
+    found.waits = false;
+    if ((lit >> i & 1) != 0) continue;
     found.waits = met ? find_met(samples[i], scratch_->meeting[i], found) : find(samples[i], found);
     if (found.waits) waiting[count++] = &found;
   }
+  if (count == 0) return;
   for (std::size_t first = 0; first < count;) {
     const TextureProgram* texture = waiting[first]->look.view.texture;
     std::size_t end = first + 1;
@@ -36,7 +41,7 @@ void Tracer::trace(std::span<Sample> samples) {
     if (end - first > 1) look_up({&waiting[first], end - first}, first);
     first = end;
   }
-  if (met && opaque_shadows_ && !in_air_) light_together(samples);
+  if (lights) light_together(samples);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!scratch_->found[i].waits) continue;
     Sample& sample = samples[i];
@@ -108,8 +113,8 @@ bool Tracer::find(Sample& sample, FoundSurface& found) {
   }
   Hit hit;
   ++scratch_->rays;
-  const bool met = scene_->geometry.closest(path.ray, t_min, path.reach, path.kind(), hit,
-                                            *scratch_->geometry);
+  const bool met =
+      scene_->geometry.closest(path.ray, t_min, path.reach, path.kind(), hit, *scratch_->geometry);
   return see(sample, met, hit, found);
 }
 bool Tracer::find_met(Sample& sample, const MeetingRay& ray, FoundSurface& found) {

@@ -1,4 +1,5 @@
 #include "tracer/transport/look.h"
+#include "tracer/transport/plain_lanes.h"
 #include "tracer/transport/texture_parts.h"
 
 #include <algorithm>
@@ -15,7 +16,6 @@ Scratch::Scratch(const CompiledScene& scene)
   for (const Geometry& g : scene.projectors) projectors.push_back(g.make_scratch());
   found.resize(Tracer::most_together);
   found_layers.resize(FoundSurface::most_layers);
-  if (!scene.geometry.answers_together()) return;
   meeting.resize(Tracer::most_together);
   shadow_rays.resize(Tracer::most_together);
 }
@@ -32,10 +32,10 @@ Tracer::Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha)
       air_(scene.quality.atmosphere && !scene.atmosphere.empty()),
       in_air_(air_ || !scene.media.empty()),
       together_(!scene.radiosity),
-      packets_(together_ && scene.geometry.answers_together()),
       plain_(scene.quality.lights && !scene.radiosity && scene.scene->settings.adc_bailout >= 0),
       opaque_shadows_(scene.quality.shadows && !translucent_shadows_ && !dims()),
-      quality_(scene.quality) {
+      quality_(scene.quality),
+      plain_lanes_(&plain_lanes().back()) {
   const scene::Settings& settings = scene.scene->settings;
   limits_.fill({std::clamp(settings.max_trace_level, 1, 256), settings.adc_bailout});
   if (!scene.radiosity) return;
@@ -47,14 +47,15 @@ Tracer::Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha)
 }
 
 // Transmitted rays are followed in the loop rather than by recursion: straight ones do not count as
-// a level, so that a ray may pass any number of them. Afterwards `path` is where the light came from.
+// a level, so that a ray may pass any number of them. Afterwards `path` is where the light came
+// from.
 Radiance Tracer::follow(Path& path, bool straight, Along& along) {
   for (;;) {
     if (!is_worth_following(path)) return {along.sum, 0};
     Hit hit;
     ++scratch_->rays;
-    const bool met =
-        scene_->geometry.closest(path.ray, t_min, path.reach, path.kind(), hit, *scratch_->geometry);
+    const bool met = scene_->geometry.closest(path.ray, t_min, path.reach, path.kind(), hit,
+                                              *scratch_->geometry);
     if (in_air_) pass_air(path, met ? &hit : nullptr, along);
     if (!met) {
       const Sky::Seen s = scene_->sky.at(path.ray.d, path.reflected || path.bounce > 0 || !alpha_);
@@ -146,8 +147,9 @@ ProgramId Tracer::texture_at(const Hit& hit, const SurfaceProgram& surface, bool
 void Tracer::dress(View& view, const Look& look, const Hit& hit, std::uint32_t texture) const {
   const SurfaceProgram& s = *look.surface;
   if (texture != scene::none) {
-    view.texture = &scene_->textures.program(
-        s.cutaway ? scene_->surfaces[texture].outside : scene_->part_textures[s.first_part + texture]);
+    view.texture =
+        &scene_->textures.program(s.cutaway ? scene_->surfaces[texture].outside
+                                            : scene_->part_textures[s.first_part + texture]);
     view.places = hit.depth;
   }
   view.q = hit.at(view.places);

@@ -78,6 +78,8 @@ enum class AreaSample : std::uint8_t { unknown, lit, dark, dimmed };
 
 struct FoundSurface;
 struct FoundLayer;
+struct PlainLanes;
+struct PlainPoints;
 
 /// What one thread may change. Buffers grow once; tracing allocates nothing after that.
 struct Scratch {
@@ -110,7 +112,7 @@ struct Scratch {
   dvec3 left_normal{0.0};  // as patterns saw it last, in the part of a mixed texture shown last
   std::vector<FoundSurface> found;       // by rays that are followed side by side
   std::vector<FoundLayer> found_layers;
-  std::vector<MeetingRay> meeting;       // if some objects answer rays together
+  std::vector<MeetingRay> meeting;       // likewise
   std::vector<ShadowRay> shadow_rays;    // likewise
 };
 
@@ -351,17 +353,30 @@ class Tracer {
   }
   [[nodiscard]] LayerLook look_alone(const View& view, dvec3& n, Colour& colour) const;
   void plain_light(const View& view, const Containment& inside, vec3& light);
-  [[nodiscard]] inline const Finish& finish_of_plain(const View& view) const;
+  [[nodiscard]] inline const Finish& finish_of_plain(const TextureProgram& texture) const;
   template <typename Visit>
   inline void if_lit(std::uint32_t number, const View& view, const LayerPoint& layer,
                      const Visit& visit);
   inline void add_light(const View& view, const Containment& inside, const LayerPoint& layer,
                         const Light& lamp, const Incidence& in, bool hidden, vec3& lit);
-  inline static void add_glow(const LayerPoint& layer, const vec3& lit, vec3& light);
+  inline static void add_glow(const Finish& finish, const vec3& pigment, const vec3& lit,
+                              vec3& light);
   // plain_together.cpp
-  struct PlainPoint;
+  struct PlainKind;
+  struct PlainKinds;
+  struct PlainGroup;
+  [[nodiscard]] std::uint32_t light_met(std::span<Sample> samples);
+  void light_met(std::span<Sample> samples, const PlainKind& kind, std::uint32_t same,
+                 std::uint32_t from_inside);
+  void look_up(PlainGroup& group) const;
+  [[nodiscard]] PlainKind kind_of(std::uint32_t leaf, bool from_inside) const;
   void light_together(std::span<Sample> samples);
-  void add_lamp(std::uint32_t number, std::span<PlainPoint> points);
+  void light(PlainGroup& group);
+  void add_lamp(std::uint32_t number, PlainGroup& group);
+  [[nodiscard]] std::uint32_t weaken(std::uint32_t number, const PlainPoints& points,
+                                     std::uint32_t open, float* shares) const;
+  [[nodiscard]] std::uint32_t unblocked(const PlainPoints& points, std::uint32_t open);
+  void add_wide_lamp(std::uint32_t number, PlainGroup& group);
   [[nodiscard]] vec3 light_of_area(const View& view, const Containment& inside,
                                    const LayerPoint& layer, const Light& light,
                                    const Incidence& centre);
@@ -462,11 +477,11 @@ class Tracer {
   bool air_;     // there is fog or the like …
   bool in_air_;  // … or there are media …
   bool gathers_air_ = false;  // … and rays that gather indirect light see it
-  bool together_;             // rays may be followed side by side …
-  bool packets_;              // … and some objects answer them together
+  bool together_;             // rays may be followed side by side
   bool plain_;           // plain textures may be lit the short way
   bool opaque_shadows_;  // any caster of shadows stops all light
   Quality quality_;
+  const PlainLanes* plain_lanes_;
 };
 
 /// A surface that a ray met, until its turn to be lit comes.
