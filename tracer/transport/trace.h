@@ -256,6 +256,7 @@ class Tracer {
   [[nodiscard]] bool find(Sample& sample, FoundSurface& found);
   [[nodiscard]] bool find_met(Sample& sample, const MeetingRay& ray, FoundSurface& found);
   [[nodiscard]] inline bool see(Sample& sample, bool met, const Hit& hit, FoundSurface& found);
+  inline void see_sky(Sample& sample) const;
   void look_up(std::span<FoundSurface* const> found, std::size_t place);
   void look_up_layer(const LayerProgram& layer, std::span<FoundSurface* const> found,
                      dvec3* normals, Colour* colours) const;
@@ -456,6 +457,7 @@ class Tracer {
   std::span<const Leaf> leaves_;                            // of the geometry
   std::span<const std::vector<std::uint32_t>> lamp_sets_;
   std::array<Limits, IrradianceCache::max_depth + 1> limits_;  // by bounce
+  std::optional<Radiance> plain_sky_;  // what the picture shows of a sky that is the same everywhere
   bool alpha_;
   bool legacy_opacity_;
   bool translucent_shadows_;
