@@ -157,14 +157,42 @@ class BlockRuns {
   std::size_t shares_;
 };
 
+// Memory of the picture, for one row of blocks ahead of those that are being rendered.
+class PictureMemory {
+ public:
+  PictureMemory(image::Image& image, const Block& part)
+      : image_(&image),
+        end_(part.right - part.left == image.width ? part.bottom : part.top),
+        next_(part.top) {}
+
+  /// Before `block` is rendered. Does not wait for what another thread is at.
+  void prepare_for(const Block& block) {
+    const int rows = block.bottom - block.top;
+    int from = next_.load(std::memory_order_relaxed);
+    while (from < std::min(end_, block.bottom + rows)) {
+      if (!next_.compare_exchange_weak(from, from + rows, std::memory_order_relaxed)) continue;
+      const std::size_t row = std::size_t{4} * image_->width;
+      image_->pixels.prepare(row * from, row * (std::min(end_, from + rows) - from));
+      from += rows;
+    }
+  }
+
+ private:
+  image::Image* image_;
+  int end_;  // there is no need beyond; nor anywhere, if not all of each row is rendered
+  std::atomic<int> next_;
+};
+
 // Threads take the next blocks in row-major order until none is left, past those already done.
 void render_blocks(const Viewpoint& view, const std::vector<Block>& blocks, int threads,
                    ProgressMeter& meter, Checkpoint& film, const IrradianceCache& cache) {
   BlockRuns runs(blocks.size(), threads);
+  PictureMemory memory(film.image, part_of(*view.options));
   const auto work = [&](int) {
     BlockRenderer renderer(view, film.image);
     std::uint64_t counted = 0;
     for (auto run = runs.next(); !run.empty(); run = runs.next()) {
+      memory.prepare_for(blocks[run.first]);
       for (std::size_t i = run.first; i < run.end && !meter.cancelled(); ++i) {
         if (film.done[i] > 0) continue;
         renderer.begin(cache, static_cast<std::uint32_t>(i));
