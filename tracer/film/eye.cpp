@@ -121,7 +121,6 @@ void Eye::see_some(std::span<const Spot> spots, Pixel* out) {
 
 /// The same without the ways of the other cameras.
 void Eye::see_through_pinhole(std::span<const Spot> spots, Pixel* out) {
-  static const PinholeVersion look = pinhole_versions().back();
   PinholeRays rays;
   for (std::size_t i = 0; i < most_in_packet; ++i) {
     const Spot& spot = spots[std::min(i, spots.size() - 1)];  // whatever is there beyond the last
@@ -129,9 +128,33 @@ void Eye::see_through_pinhole(std::span<const Spot> spots, Pixel* out) {
     rays.y[i] = spot.y;
     rays.key[i] = spot.index;
   }
+  see_through_pinhole(rays, spots.size(), out);
+}
+
+void Eye::see_square(int left, int top, Pixel* out) {
+  static_assert(square_edge * square_edge == most_in_packet);
+  if (view_->pinhole.camera != nullptr) {
+    PinholeRays rays;
+    for (std::size_t i = 0; i < most_in_packet; ++i) {
+      rays.x[i] = left + static_cast<int>(i % square_edge);
+      rays.y[i] = top + static_cast<int>(i / square_edge);
+      rays.key[i] = 0;
+    }
+    return see_through_pinhole(rays, most_in_packet, out);
+  }
+  std::array<Spot, most_in_packet> spots;
+  Spot* next = spots.data();
+  in_rows({left, top, left + square_edge, top + square_edge}, [&](int x, int y) {
+    *next++ = {double(x), double(y), 0};
+  });
+  see(spots, out);
+}
+
+DURER_INLINE void Eye::see_through_pinhole(PinholeRays& rays, std::size_t count, Pixel* out) {
+  static const PinholeVersion look = pinhole_versions().back();
   look(view_->pinhole, rays);
-  const std::span<Sample> samples = std::span(samples_).first(spots.size());
-  for (std::size_t i = 0; i < samples.size(); ++i) {
+  const std::span<Sample> samples = std::span(samples_).first(count);
+  for (std::size_t i = 0; i < count; ++i) {
     samples[i].noise = rays.key[i];
     samples[i].path = start_;
     samples[i].path.ray.d = {rays.d[0][i], rays.d[1][i], rays.d[2][i]};

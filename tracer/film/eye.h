@@ -48,6 +48,8 @@ class Eye {
   }
   /// The same at several spots, which is faster where these are neighbours.
   void see(std::span<const Spot> spots, Pixel* out);
+  /// The same at the centres of the pixels of a whole square (square_edge), row by row.
+  void see_square(int left, int top, Pixel* out);
 
   /// One random path from somewhere in the pixel, and through somewhere of the lens.
   [[nodiscard]] Pixel sample(int x, int y, std::uint32_t index);
@@ -69,6 +71,7 @@ class Eye {
   [[nodiscard]] Pixel look_along(const CameraRay& ray, double x, double y, std::uint32_t index);
   void see_some(std::span<const Spot> spots, Pixel* out);
   void see_through_pinhole(std::span<const Spot> spots, Pixel* out);
+  inline void see_through_pinhole(PinholeRays& rays, std::size_t count, Pixel* out);
   inline void start(const CameraRay& ray, const dvec3& d, Path& path);
   void find_around(const dvec3& p, Containment& inside);
   [[nodiscard]] dvec3 unit(const dvec3& d);

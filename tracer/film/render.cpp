@@ -2,6 +2,7 @@
 #include "tracer/render.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <optional>
 #include <thread>
@@ -44,7 +45,7 @@ std::vector<Block> blocks_of(const RenderOptions& options) {
 
 AntialiasOptions antialias_options(const CompiledScene& scene, const RenderOptions& o) {
   // What radiosity finds depends on the order of samples.
-  return {o.aa_threshold, o.aa_depth, o.aa_jitter, o.aa_gamma, scene.scene->settings.assumed_gamma,
+  return {o.aa_threshold,  o.aa_depth, o.aa_jitter, o.aa_gamma, scene.scene->settings.assumed_gamma,
           !scene.radiosity};
 }
 
@@ -82,13 +83,25 @@ class BlockRenderer {
   [[nodiscard]] std::uint64_t rays() const { return eye_.rays(); }
 
  private:
+  // Whole squares first, then what is left of others.
   void see_all(const Block& part) {
     spots_.clear();
-    in_squares(part, [&](int x, int y) { spots_.push_back({double(x), double(y), 0}); });
+    each_square(part, [this](const Block& square) {
+      if (pixels_of(square) == square_edge * square_edge) return see_square(square);
+      in_rows(square, [this](int x, int y) { spots_.push_back({double(x), double(y), 0}); });
+    });
+    if (spots_.empty()) return;
     pixels_.resize(spots_.size());
     eye_.see(spots_, pixels_.data());
-    const Pixel* pixel = pixels_.data();
-    in_squares(part, [&](int x, int y) { store(x, y, *pixel++); });
+    for (std::size_t i = 0; i < spots_.size(); ++i) {
+      store(static_cast<int>(spots_[i].x), static_cast<int>(spots_[i].y), pixels_[i]);
+    }
+  }
+  void see_square(const Block& square) {
+    std::array<Pixel, square_edge * square_edge> pixels;
+    eye_.see_square(square.left, square.top, pixels.data());
+    const Pixel* pixel = pixels.data();
+    in_rows(square, [&](int x, int y) { store(x, y, *pixel++); });
   }
   void store(int x, int y, const Pixel& p) {
     const auto out = image_->at(x, y);
@@ -125,12 +138,13 @@ IrradianceCache gather_light(const Viewpoint& view, int threads, ProgressMeter& 
   const RenderOptions& o = *view.options;
   Pretrace<Eye> pretrace(*view.scene->radiosity, tiles_of(part_of(o)), std::max(o.width, o.height));
   pretrace.begin_with(o.gathered);
-  pretrace.run(threads, [&] { return std::make_unique<Eye>(view); }, meter);
+  pretrace.run(
+      threads, [&] { return std::make_unique<Eye>(view); }, meter);
   return std::move(pretrace).cache();
 }
 
-// Blocks in row-major order, several in a row at a time: neighbours use the same part of what is made
-// where rays come by. Fewer towards the end, so that all threads end together.
+// Blocks in row-major order, several in a row at a time: neighbours use the same part of what is
+// made where rays come by. Fewer towards the end, so that all threads end together.
 class BlockRuns {
  public:
   struct Run {

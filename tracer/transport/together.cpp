@@ -29,6 +29,7 @@ void Tracer::trace(std::span<Sample> samples) {
     found.waits = met ? find_met(samples[i], scratch_->meeting[i], found) : find(samples[i], found);
     if (found.waits) waiting[count++] = &found;
   }
+  if (count == 0) return;
   for (std::size_t first = 0; first < count;) {
     const TextureProgram* texture = waiting[first]->look.view.texture;
     std::size_t end = first + 1;

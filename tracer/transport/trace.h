@@ -24,9 +24,8 @@ struct FirstHit {
   float importance = 1;        // that of the surface
 };
 
-/// A ray with its history.
-struct Path {
-  Ray ray;
+/// The history of a ray, but for the bodies around it: small, and copied as one block.
+struct PathHistory {
   double reach = no_hit_depth;  // what is farther away is not seen
   float weight = 1;  // share of the pixel it can still change
   int level = 0;     // bends so far
@@ -35,6 +34,11 @@ struct Path {
   bool reflected = false;
   bool transmitted = false;   // it came through a surface
   FirstHit* first = nullptr;  // who wants to know of the next surface, if somebody does
+};
+
+/// A ray with its history.
+struct Path : PathHistory {
+  Ray ray;
   Containment inside;         // bodies that the ray is inside of; large, so it stands last
 
   [[nodiscard]] RayKind kind() const {
