@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstring>
 #include <optional>
 #include <thread>
 
@@ -98,6 +99,10 @@ class BlockRenderer {
     }
   }
   void see_square(const Block& square) {
+    for (int y = square.top; y < square.bottom; ++y) {  // else what is stored waits for memory
+      __builtin_prefetch(image_->at(square.left, y).data(), 1);
+      __builtin_prefetch(image_->at(square.right - 1, y).data(), 1);
+    }
     std::array<Pixel, square_edge * square_edge> pixels;
     eye_.see_square(square.left, square.top, pixels.data());
     const Pixel* pixel = pixels.data();
@@ -105,7 +110,7 @@ class BlockRenderer {
   }
   void store(int x, int y, const Pixel& p) {
     const auto out = image_->at(x, y);
-    for (int i = 0; i < 3; ++i) out[i] = p[i];
+    std::memcpy(out.data(), &p, out.size_bytes());
     out[3] = 1 - p.w;
   }
 
