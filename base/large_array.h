@@ -11,6 +11,9 @@
 
 namespace durer {
 
+/// Finds memory for those pages that lie within, if the system can; what they hold stays.
+void prepare_memory(void* begin, std::size_t bytes);
+
 /// As many numbers as it was made with, 0 at first. A std::vector would write these zeros, to memory
 /// that the system has just cleared.
 /// Not in huge pages: with these a plain picture is a tenth faster on one machine, but takes half as
@@ -45,6 +48,11 @@ class LargeArray {
   [[nodiscard]] T* end() { return data() + size_; }
   [[nodiscard]] const T* begin() const { return data(); }
   [[nodiscard]] const T* end() const { return data() + size_; }
+  /// Before `count` numbers from `first` on are set for the first time: has the system find memory for
+  /// all of them at once, which takes less time than page by page. They stay as they are.
+  void prepare(std::size_t first, std::size_t count) {
+    prepare_memory(data() + first, count * sizeof(T));
+  }
   [[nodiscard]] T& operator[](std::size_t i) { return data()[i]; }
   [[nodiscard]] const T& operator[](std::size_t i) const { return data()[i]; }
 

@@ -1,6 +1,7 @@
 #include "image/codes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/colour.h"
@@ -101,8 +102,15 @@ void Coder::each_code(int y, Put put) {
   if (table_ && colours_ == 3 && !alpha_) {
     const CodeTable& table = *table_;
     const float* pixel = image_->at(0, y).data();
+    glm::vec3 last(0.0F);
+    std::array<unsigned, 3> codes{};  // of `last`
     for (int x = 0; x < image_->width; ++x, pixel += 4) {
-      for (int i = 0; i < 3; ++i) put(table.code_of(pixel[i]));
+      const glm::vec3 here(pixel[0], pixel[1], pixel[2]);
+      if (here != last || x == 0) {  // much of many a picture is flat
+        last = here;
+        for (int i = 0; i < 3; ++i) codes[i] = table.code_of(here[i]);
+      }
+      for (const unsigned code : codes) put(code);
     }
     return;
   }
@@ -118,8 +126,7 @@ void Coder::each_code(int y, Put put) {
     if (encoding_.greyscale) c = glm::vec3(luminance);
     if (alpha_) c /= a == 0 ? 1e-6F : a;
     for (int i = 0; i < colours_; ++i) {
-      put(table_ ? table_->code_of(c[i])
-                 : code_of(c[i], i, depth_, dither_, to_file, to_working));
+      put(table_ ? table_->code_of(c[i]) : code_of(c[i], i, depth_, dither_, to_file, to_working));
     }
     if (alpha_) put(code_of(a, colours_, depth_, dither_, as_it_is, as_it_is));
   }

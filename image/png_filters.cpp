@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 
 namespace durer::image {
 namespace {
@@ -16,8 +17,8 @@ Byte distance(Byte a, Byte b) { return static_cast<Byte>(a > b ? a - b : b - a);
 Byte mean(Byte a, Byte b) { return static_cast<Byte>((a & b) + ((a ^ b) >> 1)); }
 
 /// What the neighbours say that a byte is: the nearest of left, above and corner to left + above -
-/// corner (PNG §9.4). That is as far from left as above is from the corner, and as far from above as
-/// left is; the corner can be nearer than these two only where it lies between them.
+/// corner (PNG §9.4). That is as far from left as above is from the corner, and as far from above
+/// as left is; the corner can be nearer than these two only where it lies between them.
 Byte paeth(Byte left, Byte above, Byte corner) {
   const Byte to_left = distance(above, corner);
   const Byte to_above = distance(left, corner);
@@ -38,9 +39,9 @@ void differences(const FilterRows& rows, unsigned char* __restrict out, Guess gu
   for (std::size_t i = 0; i < rows.bytes; ++i) out[i] = static_cast<Byte>(here[i] - guess(i));
 }
 
-/// The sum of the differences' sizes: how far each is from 0, on either side. As far as from `centre`,
-/// which is 128, once both are moved there. Where the compiler does not know that, it finds a sum of
-/// distances between bytes, for which processors have an instruction.
+/// The sum of the differences' sizes: how far each is from 0, on either side. As far as from
+/// `centre`, which is 128, once both are moved there. Where the compiler does not know that, it
+/// finds a sum of distances between bytes, for which processors have an instruction.
 std::uint32_t total_size(const std::vector<unsigned char>& differences, Byte centre) {
   std::uint32_t sum = 0;
   for (std::size_t i = 1; i < differences.size(); ++i) {
@@ -64,17 +65,21 @@ void PngFilters::apply(const FilterRows& rows, unsigned char* out) {
   const unsigned char* const above = rows.above;
   const unsigned char* const corner = above - rows.pixel_bytes;
   const auto to = [this](std::size_t i) { return filtered_[i].data() + 1; };
-  differences(rows, to(0), [](std::size_t) { return Byte{0}; });
-  differences(rows, to(1), [=](std::size_t i) { return left[i]; });
-  differences(rows, to(2), [=](std::size_t i) { return above[i]; });
-  differences(rows, to(3), [=](std::size_t i) { return mean(left[i], above[i]); });
-  differences(rows, to(4), [=](std::size_t i) { return paeth(left[i], above[i], corner[i]); });
   std::size_t best = 0;
-  std::uint32_t least = total_size(filtered_[0], centre_);
-  for (std::size_t i = 1; i < count; ++i) {
+  std::uint32_t least = std::numeric_limits<std::uint32_t>::max();
+  // Nothing is smaller than nothing, and many a row is like the one above it: what is left is
+  // spared.
+  const auto try_next = [&](std::size_t i, auto guess) {
+    if (least == 0) return;
+    differences(rows, to(i), guess);
     const std::uint32_t size = total_size(filtered_[i], centre_);
     if (size < least) best = i, least = size;
-  }
+  };
+  try_next(0, [](std::size_t) { return Byte{0}; });
+  try_next(1, [=](std::size_t i) { return left[i]; });
+  try_next(2, [=](std::size_t i) { return above[i]; });
+  try_next(3, [=](std::size_t i) { return mean(left[i], above[i]); });
+  try_next(4, [=](std::size_t i) { return paeth(left[i], above[i], corner[i]); });
   std::copy(filtered_[best].begin(), filtered_[best].end(), out);
 }
 

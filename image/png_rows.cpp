@@ -1,5 +1,6 @@
 #include "image/png_rows.h"
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -82,46 +83,100 @@ std::uint32_t checksum_of(std::span<const unsigned char> part) {
 
 }  // namespace
 
-PngRows::PngRows(std::size_t row_bytes, std::size_t pixel_bytes, std::size_t count, int level)
-    : row_bytes_(row_bytes),
-      pixel_bytes_(pixel_bytes),
-      count_(count),
-      level_(level),
-      filtered_((row_bytes + 1) * count) {}
+/// Filters and compresses one stretch after another, on one thread.
+class PngRows::Worker {
+ public:
+  explicit Worker(const PngRows& rows)
+      : rows_(rows),
+        line_(rows.row_bytes_ + 1),
+        filters_(rows.row_bytes_),
+        above_(rows.pixel_bytes_ + rows.row_bytes_),
+        here_(above_) {}
 
-void PngRows::filter(const Stretch& stretch, const Source& source) {
-  // Zeros stand for what lies left of the picture, and above it.
-  std::vector<unsigned char> above(pixel_bytes_ + row_bytes_);
-  std::vector<unsigned char> here = above;
-  const auto row = [&](std::vector<unsigned char>& v) { return std::span(v).subspan(pixel_bytes_); };
-  if (stretch.first_row > 0) source(stretch.first_row - 1, row(above));
-  PngFilters filters(row_bytes_);
-  for (std::size_t y = stretch.first_row; y < stretch.end_row; ++y) {
-    source(y, row(here));
-    filters.apply({row(here).data(), row(above).data(), row_bytes_, pixel_bytes_},
-                  &filtered_[y * (row_bytes_ + 1)]);
-    std::swap(here, above);
+  void run(Stretch& stretch, const Source& source);
+
+ private:
+  std::span<unsigned char> row(std::vector<unsigned char>& v) const {
+    return std::span(v).subspan(
+        rows_.pixel_bytes_);  // zeros stand for what lies left of the picture
   }
+  unsigned char* filtered(std::size_t y) { return &filtered_[(y - first_) * line_]; }
+  void make_room(const Stretch& stretch);
+  void filter(std::size_t from, std::size_t end, const Source& source);
+  void compress(Stretch& stretch, std::span<const unsigned char> part, const Source& source);
+
+  const PngRows& rows_;
+  std::size_t line_;  // bytes of a filtered row, with the number of its filter
+  PngFilters filters_;
+  std::vector<unsigned char> above_, here_;
+  // Rows from `first_` on: those that the stretch may look back at, and its own; `known_` to `end_`
+  // are there.
+  std::vector<unsigned char> filtered_;
+  std::size_t first_ = 0;
+  std::size_t known_ = 0;
+  std::size_t end_ = 0;
+  std::size_t after_above_ = 0;  // the row below that in `above_`
+};
+
+PngRows::PngRows(std::size_t row_bytes, std::size_t pixel_bytes, std::size_t count, int level)
+    : row_bytes_(row_bytes), pixel_bytes_(pixel_bytes), count_(count), level_(level) {}
+
+void PngRows::Worker::run(Stretch& stretch, const Source& source) {
+  make_room(stretch);
+  filter(stretch.first_row, stretch.end_row, source);
+  end_ = stretch.end_row;
+  const std::size_t bytes = (stretch.end_row - stretch.first_row) * line_;
+  const std::span<const unsigned char> part(filtered(stretch.first_row), bytes);
+  stretch.checksum = checksum_of(part);
+  compress(stretch, part, source);
 }
 
-void PngRows::compress(Stretch& stretch) const {
-  const std::span all(filtered_.data(), filtered_.size());
-  const std::size_t begin = stretch.first_row * (row_bytes_ + 1);
-  const std::size_t end = stretch.end_row * (row_bytes_ + 1);
-  const bool last = end == all.size();
-  const auto part = all.subspan(begin, end - begin);
-  stretch.checksum = checksum_of(part);
-  if (level_ < 0) {
+/// Keeps the end of the stretch before if that was the last one here.
+void PngRows::Worker::make_room(const Stretch& stretch) {
+  const std::size_t back = std::min(stretch.first_row, (reach + line_ - 1) / line_);
+  const std::size_t first = stretch.first_row - back;
+  const bool follows = end_ == stretch.first_row && known_ <= first;
+  filtered_.resize(std::max(filtered_.size(), (stretch.end_row - first) * line_));
+  if (follows) std::copy_n(filtered(first), back * line_, filtered_.begin());
+  known_ = follows ? first : stretch.first_row;
+  first_ = first;
+}
+
+void PngRows::Worker::filter(std::size_t from, std::size_t end, const Source& source) {
+  if (from == 0) {
+    std::fill(above_.begin(), above_.end(), 0);
+  } else if (from != after_above_) {
+    source(from - 1, row(above_));
+  }
+  for (std::size_t y = from; y < end; ++y) {
+    source(y, row(here_));
+    filters_.apply({row(here_).data(), row(above_).data(), rows_.row_bytes_, rows_.pixel_bytes_},
+                   filtered(y));
+    std::swap(here_, above_);
+  }
+  after_above_ = end;
+}
+
+void PngRows::Worker::compress(Stretch& stretch, std::span<const unsigned char> part,
+                               const Source& source) {
+  const bool last = stretch.end_row == rows_.count_;
+  const int level = rows_.level_;
+  if (level < 0) {
     Deflate runs(quick, Z_RLE);
     runs.run(part, last, stretch.compressed);
     stretch.fine = runs.fine();
     if (!stretch.fine || !repetitive(part, stretch.compressed.size())) return;
     stretch.compressed.clear();
   }
-  Deflate deflate(level_ < 0 ? careful : level_);
-  if (begin > 0) {
-    const std::size_t known = std::min(begin, reach);
-    deflate.know(all.subspan(begin - known, known));
+  Deflate deflate(level < 0 ? careful : level);
+  const std::size_t before = (stretch.first_row - first_) * line_;
+  if (before > 0) {
+    if (first_ < known_) {
+      filter(first_, known_, source);
+      known_ = first_;
+    }
+    const std::size_t back = std::min(before, reach);
+    deflate.know({part.data() - back, back});
   }
   deflate.run(part, last, stretch.compressed);
   stretch.fine = deflate.fine();
@@ -137,12 +192,10 @@ std::vector<unsigned char> PngRows::stream(const Source& source, int threads) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
+  tbb::enumerable_thread_specific<Worker> workers([this] { return Worker(*this); });
   arena.execute([&] {
-    // Two rounds, because a stretch looks back into the filtered rows before it.
     tbb::parallel_for(std::size_t{0}, stretches.size(),
-                      [&](std::size_t i) { filter(stretches[i], source); });
-    tbb::parallel_for(std::size_t{0}, stretches.size(),
-                      [&](std::size_t i) { compress(stretches[i]); });
+                      [&](std::size_t i) { workers.local().run(stretches[i], source); });
   });
   std::vector<unsigned char> out{0x78, 0x9C};  // zlib, a window of 32 KiB (RFC 1950 §2.2)
   std::size_t size = out.size() + 4;

@@ -7,8 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "base/large_array.h"
-
 namespace durer::image {
 
 /// Filters each row as suits it, then compresses it. Rendered surfaces are grainy: once filtered,
@@ -17,7 +15,8 @@ namespace durer::image {
 ///
 /// Stretches are compressed side by side, each with the end of the one before as its dictionary,
 /// and joined at byte boundaries, as pigz does it. The stream is the same for any number of
-/// threads.
+/// threads. No more is kept of the filtered rows than a stretch and what it looks back at: that
+/// fits into a processor's cache.
 class PngRows {
  public:
   /// `row_bytes`: of each of `count` rows. `pixel_bytes`: distance to the same sample of the next
@@ -36,14 +35,12 @@ class PngRows {
     std::uint32_t checksum;
     bool fine;
   };
-  void filter(const Stretch& stretch, const Source& source);
-  void compress(Stretch& stretch) const;
+  class Worker;
 
   std::size_t row_bytes_;
   std::size_t pixel_bytes_;
   std::size_t count_;
   int level_;
-  LargeArray<unsigned char> filtered_;  // with the number of the filter before each row
 };
 
 }  // namespace durer::image

@@ -19,14 +19,14 @@ durer_library(tracer
     transport/path_tracer.cpp transport/photon_file.cpp transport/photon_gathering.cpp transport/photon_map.cpp
     transport/photon_plan.cpp transport/plain.cpp transport/plain_lanes.cpp transport/plain_together.cpp transport/photon_search.cpp transport/photon_shooting.cpp transport/photon_tracer.cpp transport/radiosity.cpp transport/shadow.cpp
     transport/subsurface.cpp transport/surface.cpp transport/texture_parts.cpp transport/together.cpp transport/trace.cpp
-    film/antialias.cpp film/jitter.cpp film/eye.cpp film/lens.cpp film/lens_points.cpp film/pretrace.cpp film/progress.cpp
+    film/antialias.cpp film/jitter.cpp film/eye.cpp film/lens.cpp film/lens_points.cpp film/pinhole.cpp film/pretrace.cpp film/progress.cpp
     film/progressive.cpp film/render.cpp
   LINKS durer::geometry durer::scene durer::functions
   PRIVATE_LINKS TBB::tbb fmt::fmt)
 # Nobody asks what errno says about square roots.
 target_compile_options(durer_tracer PRIVATE -fno-math-errno)
 # Wide vectors are only passed to what becomes part of its caller.
-set_source_files_properties(transport/irradiance_cache.cpp transport/photon_search.cpp transport/plain_lanes.cpp
+set_source_files_properties(film/pinhole.cpp transport/irradiance_cache.cpp transport/photon_search.cpp transport/plain_lanes.cpp
   transport/plain_together.cpp
   PROPERTIES COMPILE_OPTIONS -Wno-psabi)
 if(TARGET durer::image)

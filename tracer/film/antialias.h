@@ -28,22 +28,36 @@ struct Block {
   return static_cast<std::uint64_t>(b.right - b.left) * static_cast<unsigned>(b.bottom - b.top);
 }
 
-/// Calls f(x, y) for every pixel of a block, square by square: the sixteen of a square are near to each
-/// other in both directions, and so are their rays, which go side by side.
+/// Edge of the squares that blocks are sampled in: the sixteen pixels of one are near to each other
+/// in both directions, and so are their rays, which go side by side.
+inline constexpr int square_edge = 4;
+
+/// Calls f(square) for every square of a block; those at its edges may be smaller.
 template <typename F>
-void in_squares(const Block& block, const F& f) {
-  constexpr int edge = 4;
-  for (int top = block.top; top < block.bottom; top += edge) {
-    for (int left = block.left; left < block.right; left += edge) {
-      for (int y = top; y < std::min(top + edge, block.bottom); ++y) {
-        for (int x = left; x < std::min(left + edge, block.right); ++x) f(x, y);
-      }
+void each_square(const Block& block, const F& f) {
+  for (int y = block.top; y < block.bottom; y += square_edge) {
+    for (int x = block.left; x < block.right; x += square_edge) {
+      f(Block{x, y, std::min(x + square_edge, block.right),
+              std::min(y + square_edge, block.bottom)});
     }
   }
 }
 
-/// Where a sample is taken. Whole numbers are centres of pixels; `index` tells the samples of a pixel
-/// apart: 0 is its centre.
+/// Calls f(x, y) for every pixel of a block, row by row …
+template <typename F>
+void in_rows(const Block& block, const F& f) {
+  for (int y = block.top; y < block.bottom; ++y) {
+    for (int x = block.left; x < block.right; ++x) f(x, y);
+  }
+}
+/// … or square by square.
+template <typename F>
+void in_squares(const Block& block, const F& f) {
+  each_square(block, [&](const Block& square) { in_rows(square, f); });
+}
+
+/// Where a sample is taken. Whole numbers are centres of pixels; `index` tells the samples of a
+/// pixel apart: 0 is its centre.
 struct Spot {
   double x = 0;
   double y = 0;
@@ -175,7 +189,7 @@ class Antialias {
   AntialiasOptions options_;
   Comparison compare_;
   std::vector<Cell> cells_;
-  std::vector<Spot> spots_;  // that are being sampled …
+  std::vector<Spot> spots_;    // that are being sampled …
   std::vector<Pixel> values_;  // … and what is seen there
   int left_ = 0;
   int top_ = 0;

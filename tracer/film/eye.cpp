@@ -10,21 +10,13 @@
 
 #include "base/unit.h"
 #include "functions/simd/inline.h"
+#include "tracer/film/sample_seed.h"
 #include "tracer/sobol.h"
 
 namespace durer::tracer {
 namespace {
 
 constexpr Pixel nothing(0.0F, 0.0F, 0.0F, 1.0F);  // transparent black
-
-// Well-mixed start of the random numbers of one sample.
-std::uint32_t seed(double x, double y, std::uint32_t index) {
-  const auto whole = [](double v) {
-    return static_cast<std::uint32_t>(static_cast<std::int64_t>(v < 0 ? v - 0.5 : v + 0.5));
-  };
-  std::uint32_t h = whole(x) * 0x8DA6B343U ^ whole(y) * 0xD8163841U ^ index * 0xCB1AB31FU;
-  return mixed(h);
-}
 
 /// False if it is all the same to light whether it is in a body or in the air.
 bool are_bodies_felt(const CompiledScene& s) {
@@ -52,6 +44,7 @@ Viewpoint::Viewpoint(const CompiledScene& s, const RenderOptions& o)
     if (c.mesh->reach > 0) reach = c.mesh->reach;
   }
   direct = turns == 1 && !lens.blurs();
+  if (flat && direct && bump == scene::none) pinhole = {&c, options->width, options->height};
 }
 
 Eye::Eye(const Viewpoint& view)
@@ -60,6 +53,10 @@ Eye::Eye(const Viewpoint& view)
       tracer_(*view.scene, scratch_, view.options->alpha),
       paths_(*view.scene, scratch_, view.options->alpha, view.options->paths) {
   scratch_.photons = view.photons;
+  samples_.resize(Tracer::most_together);
+  start_.ray.o = view.camera.in->location;
+  start_.reach = view.reach;
+  if (view.one_origin) start_.inside = view.scene->around_camera;
 }
 
 void Eye::begin(const IrradianceCache* cache, std::uint32_t seed) {
@@ -87,10 +84,10 @@ void Eye::see(std::span<const Spot> spots, Pixel* out) {
     for (const Spot& spot : spots) *out++ = see(spot.x, spot.y, spot.index);
     return;
   }
-  samples_.resize(Tracer::most_together);
+  const bool in_lanes = view_->pinhole.camera != nullptr;
   while (!spots.empty()) {
     const auto some = spots.first(std::min(spots.size(), Tracer::most_together));
-    see_some(some, out);
+    in_lanes ? see_through_pinhole(some, out) : see_some(some, out);
     spots = spots.subspan(some.size());
     out += some.size();
   }
@@ -109,7 +106,7 @@ void Eye::see_some(std::span<const Spot> spots, Pixel* out) {
       continue;
     }
     directions[count] = rays[count].ray.d;
-    samples_[count].noise = seed(spot.x, spot.y, spot.index);
+    samples_[count].noise = sample_seed(spot.x, spot.y, spot.index);
     pixels[count++] = &pixel;
   }
   normalize_all(directions.first(count));
@@ -120,6 +117,50 @@ void Eye::see_some(std::span<const Spot> spots, Pixel* out) {
   for (std::size_t i = 0; i < count; ++i) {
     *pixels[i] = Pixel(samples_[i].seen.colour, samples_[i].seen.transmittance);
   }
+}
+
+/// The same without the ways of the other cameras.
+void Eye::see_through_pinhole(std::span<const Spot> spots, Pixel* out) {
+  PinholeRays rays;
+  for (std::size_t i = 0; i < most_in_packet; ++i) {
+    const Spot& spot = spots[std::min(i, spots.size() - 1)];  // whatever is there beyond the last
+    rays.x[i] = spot.x;
+    rays.y[i] = spot.y;
+    rays.key[i] = spot.index;
+  }
+  see_through_pinhole(rays, spots.size(), out);
+}
+
+void Eye::see_square(int left, int top, Pixel* out) {
+  static_assert(square_edge * square_edge == most_in_packet);
+  if (view_->pinhole.camera != nullptr) {
+    PinholeRays rays;
+    for (std::size_t i = 0; i < most_in_packet; ++i) {
+      rays.x[i] = left + static_cast<int>(i % square_edge);
+      rays.y[i] = top + static_cast<int>(i / square_edge);
+      rays.key[i] = 0;
+    }
+    return see_through_pinhole(rays, most_in_packet, out);
+  }
+  std::array<Spot, most_in_packet> spots;
+  Spot* next = spots.data();
+  in_rows({left, top, left + square_edge, top + square_edge}, [&](int x, int y) {
+    *next++ = {double(x), double(y), 0};
+  });
+  see(spots, out);
+}
+
+DURER_INLINE void Eye::see_through_pinhole(PinholeRays& rays, std::size_t count, Pixel* out) {
+  static const PinholeVersion look = pinhole_versions().back();
+  look(view_->pinhole, rays);
+  const std::span<Sample> samples = std::span(samples_).first(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    samples[i].noise = rays.key[i];
+    samples[i].path = start_;
+    samples[i].path.ray.d = {rays.d[0][i], rays.d[1][i], rays.d[2][i]};
+  }
+  tracer_.trace(samples);
+  for (const Sample& s : samples) *out++ = Pixel(s.seen.colour, s.seen.transmittance);
 }
 
 Pixel Eye::sample(int x, int y, std::uint32_t index) {
@@ -173,7 +214,7 @@ Pixel Eye::through_lens(dvec2 at, dvec2 pixel, std::uint32_t index, int sample) 
 }
 
 Pixel Eye::look_along(const CameraRay& ray, double x, double y, std::uint32_t index) {
-  scratch_.noise = seed(x, y, index);
+  scratch_.noise = sample_seed(x, y, index);
   Path path;
   start(ray, unit(ray.ray.d), path);
   const auto pixel = [](const Radiance& r) { return Pixel(r.colour, r.transmittance); };

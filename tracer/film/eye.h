@@ -7,6 +7,7 @@
 #include "tracer/cameras/camera.h"
 #include "tracer/film/antialias.h"
 #include "tracer/film/lens.h"
+#include "tracer/film/pinhole.h"
 #include "tracer/render.h"
 #include "tracer/shading/normal.h"
 #include "tracer/transport/path_tracer.h"
@@ -23,13 +24,14 @@ struct Viewpoint {
   LensSampling lens;
   NormalStore bumps;  // of the camera
   NormalId bump = scene::none;
-  bool one_origin = true;  // all rays start where the camera is
+  bool one_origin = true;     // all rays start where the camera is
   bool bodies_matter = true;  // to what is seen: those that hold the place where a ray starts
-  dvec3 lens_right{0.0};   // unit: axes of the lens …
+  dvec3 lens_right{0.0};      // unit: axes of the lens …
   dvec3 lens_up{0.0};
   double lens_scale = 1;  // … and from the camera's directions to places that are in focus
-  int turns = 1;           // rays per sample
-  bool direct = true;      // one ray per sample, and through a pinhole
+  int turns = 1;          // rays per sample
+  bool direct = true;     // one ray per sample, and through a pinhole
+  Pinhole pinhole;        // if that is all there is to the camera
   double reach = no_hit_depth;
   const PhotonMaps* photons = nullptr;  // once they are shot
 };
@@ -46,6 +48,8 @@ class Eye {
   }
   /// The same at several spots, which is faster where these are neighbours.
   void see(std::span<const Spot> spots, Pixel* out);
+  /// The same at the centres of the pixels of a whole square (square_edge), row by row.
+  void see_square(int left, int top, Pixel* out);
 
   /// One random path from somewhere in the pixel, and through somewhere of the lens.
   [[nodiscard]] Pixel sample(int x, int y, std::uint32_t index);
@@ -66,6 +70,8 @@ class Eye {
   [[nodiscard]] Pixel through_lens(dvec2 at, dvec2 pixel, std::uint32_t index, int sample);
   [[nodiscard]] Pixel look_along(const CameraRay& ray, double x, double y, std::uint32_t index);
   void see_some(std::span<const Spot> spots, Pixel* out);
+  void see_through_pinhole(std::span<const Spot> spots, Pixel* out);
+  inline void see_through_pinhole(PinholeRays& rays, std::size_t count, Pixel* out);
   inline void start(const CameraRay& ray, const dvec3& d, Path& path);
   void find_around(const dvec3& p, Containment& inside);
   [[nodiscard]] dvec3 unit(const dvec3& d);
@@ -77,8 +83,9 @@ class Eye {
   SobolSampler random_;
   functions::Workspace workspace_;
   std::vector<Sample> samples_;  // that are taken together
-  dvec3 last_d_{0.0};  // the camera's direction of the last ray …
-  dvec3 last_unit_{0.0};  // … and the same with unit length
+  Path start_;                   // of those through a pinhole, but for its direction
+  dvec3 last_d_{0.0};            // the camera's direction of the last ray …
+  dvec3 last_unit_{0.0};         // … and the same with unit length
 };
 
 }  // namespace durer::tracer

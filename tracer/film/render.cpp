@@ -2,7 +2,9 @@
 #include "tracer/render.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <cstring>
 #include <optional>
 #include <thread>
 
@@ -44,7 +46,7 @@ std::vector<Block> blocks_of(const RenderOptions& options) {
 
 AntialiasOptions antialias_options(const CompiledScene& scene, const RenderOptions& o) {
   // What radiosity finds depends on the order of samples.
-  return {o.aa_threshold, o.aa_depth, o.aa_jitter, o.aa_gamma, scene.scene->settings.assumed_gamma,
+  return {o.aa_threshold,  o.aa_depth, o.aa_jitter, o.aa_gamma, scene.scene->settings.assumed_gamma,
           !scene.radiosity};
 }
 
@@ -82,17 +84,33 @@ class BlockRenderer {
   [[nodiscard]] std::uint64_t rays() const { return eye_.rays(); }
 
  private:
+  // Whole squares first, then what is left of others.
   void see_all(const Block& part) {
     spots_.clear();
-    in_squares(part, [&](int x, int y) { spots_.push_back({double(x), double(y), 0}); });
+    each_square(part, [this](const Block& square) {
+      if (pixels_of(square) == square_edge * square_edge) return see_square(square);
+      in_rows(square, [this](int x, int y) { spots_.push_back({double(x), double(y), 0}); });
+    });
+    if (spots_.empty()) return;
     pixels_.resize(spots_.size());
     eye_.see(spots_, pixels_.data());
-    const Pixel* pixel = pixels_.data();
-    in_squares(part, [&](int x, int y) { store(x, y, *pixel++); });
+    for (std::size_t i = 0; i < spots_.size(); ++i) {
+      store(static_cast<int>(spots_[i].x), static_cast<int>(spots_[i].y), pixels_[i]);
+    }
+  }
+  void see_square(const Block& square) {
+    for (int y = square.top; y < square.bottom; ++y) {  // else what is stored waits for memory
+      __builtin_prefetch(image_->at(square.left, y).data(), 1);
+      __builtin_prefetch(image_->at(square.right - 1, y).data(), 1);
+    }
+    std::array<Pixel, square_edge * square_edge> pixels;
+    eye_.see_square(square.left, square.top, pixels.data());
+    const Pixel* pixel = pixels.data();
+    in_rows(square, [&](int x, int y) { store(x, y, *pixel++); });
   }
   void store(int x, int y, const Pixel& p) {
     const auto out = image_->at(x, y);
-    for (int i = 0; i < 3; ++i) out[i] = p[i];
+    std::memcpy(out.data(), &p, out.size_bytes());
     out[3] = 1 - p.w;
   }
 
@@ -125,12 +143,13 @@ IrradianceCache gather_light(const Viewpoint& view, int threads, ProgressMeter& 
   const RenderOptions& o = *view.options;
   Pretrace<Eye> pretrace(*view.scene->radiosity, tiles_of(part_of(o)), std::max(o.width, o.height));
   pretrace.begin_with(o.gathered);
-  pretrace.run(threads, [&] { return std::make_unique<Eye>(view); }, meter);
+  pretrace.run(
+      threads, [&] { return std::make_unique<Eye>(view); }, meter);
   return std::move(pretrace).cache();
 }
 
-// Blocks in row-major order, several in a row at a time: neighbours use the same part of what is made
-// where rays come by. Fewer towards the end, so that all threads end together.
+// Blocks in row-major order, several in a row at a time: neighbours use the same part of what is
+// made where rays come by. Fewer towards the end, so that all threads end together.
 class BlockRuns {
  public:
   struct Run {
@@ -157,14 +176,42 @@ class BlockRuns {
   std::size_t shares_;
 };
 
+// Memory of the picture, for one row of blocks ahead of those that are being rendered.
+class PictureMemory {
+ public:
+  PictureMemory(image::Image& image, const Block& part)
+      : image_(&image),
+        end_(part.right - part.left == image.width ? part.bottom : part.top),
+        next_(part.top) {}
+
+  /// Before `block` is rendered. Does not wait for what another thread is at.
+  void prepare_for(const Block& block) {
+    const int rows = block.bottom - block.top;
+    int from = next_.load(std::memory_order_relaxed);
+    while (from < std::min(end_, block.bottom + rows)) {
+      if (!next_.compare_exchange_weak(from, from + rows, std::memory_order_relaxed)) continue;
+      const std::size_t row = std::size_t{4} * image_->width;
+      image_->pixels.prepare(row * from, row * (std::min(end_, from + rows) - from));
+      from += rows;
+    }
+  }
+
+ private:
+  image::Image* image_;
+  int end_;  // there is no need beyond; nor anywhere, if not all of each row is rendered
+  std::atomic<int> next_;
+};
+
 // Threads take the next blocks in row-major order until none is left, past those already done.
 void render_blocks(const Viewpoint& view, const std::vector<Block>& blocks, int threads,
                    ProgressMeter& meter, Checkpoint& film, const IrradianceCache& cache) {
   BlockRuns runs(blocks.size(), threads);
+  PictureMemory memory(film.image, part_of(*view.options));
   const auto work = [&](int) {
     BlockRenderer renderer(view, film.image);
     std::uint64_t counted = 0;
     for (auto run = runs.next(); !run.empty(); run = runs.next()) {
+      memory.prepare_for(blocks[run.first]);
       for (std::size_t i = run.first; i < run.end && !meter.cancelled(); ++i) {
         if (film.done[i] > 0) continue;
         renderer.begin(cache, static_cast<std::uint32_t>(i));

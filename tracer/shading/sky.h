@@ -20,7 +20,12 @@ class Sky {
   /// Colour in direction `d` (unit length). Mirrors, and pictures without an alpha channel, show an
   /// opaque sky.
   [[nodiscard]] Seen at(const dvec3& d, bool opaque) const {
-    return layers_.empty() ? plain_[opaque ? 1 : 0] : find(d, opaque);
+    const Seen* everywhere = plain(opaque);
+    return everywhere != nullptr ? *everywhere : find(d, opaque);
+  }
+  /// What is seen in all directions; null if they differ.
+  [[nodiscard]] const Seen* plain(bool opaque) const {
+    return layers_.empty() ? &plain_[opaque ? 1 : 0] : nullptr;
   }
 
  private:

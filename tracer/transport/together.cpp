@@ -105,6 +105,16 @@ DURER_INLINE bool Tracer::see(Sample& sample, bool met, const Hit& hit, FoundSur
   return false;
 }
 
+/// The sky, with nothing before it.
+DURER_INLINE void Tracer::see_sky(Sample& sample) const {
+  if (plain_sky_) {
+    sample.seen = *plain_sky_;
+  } else {
+    const Sky::Seen s = scene_->sky.at(sample.path.ray.d, !alpha_);
+    sample.seen = {vec3(0.0F) + s.colour, s.transmittance};
+  }
+}
+
 bool Tracer::find(Sample& sample, FoundSurface& found) {
   const Path& path = sample.path;
   if (!is_worth_following(path)) {
@@ -115,10 +125,14 @@ bool Tracer::find(Sample& sample, FoundSurface& found) {
   ++scratch_->rays;
   const bool met =
       scene_->geometry.closest(path.ray, t_min, path.reach, path.kind(), hit, *scratch_->geometry);
-  return see(sample, met, hit, found);
+  if (met || in_air_) return see(sample, met, hit, found);
+  see_sky(sample);
+  return false;
 }
 bool Tracer::find_met(Sample& sample, const MeetingRay& ray, FoundSurface& found) {
-  return see(sample, ray.met, ray.hit, found);
+  if (ray.met || in_air_) return see(sample, ray.met, ray.hit, found);
+  see_sky(sample);
+  return false;
 }
 
 /// The layers of a texture at several points, as far as they show. `place`: what is kept of them in

@@ -37,6 +37,9 @@ Tracer::Tracer(const CompiledScene& scene, Scratch& scratch, bool alpha)
       quality_(scene.quality),
       plain_lanes_(&plain_lanes().back()) {
   const scene::Settings& settings = scene.scene->settings;
+  if (const Sky::Seen* s = scene.sky.plain(!alpha)) {
+    plain_sky_ = {vec3(0.0F) + s->colour, s->transmittance};
+  }
   limits_.fill({std::clamp(settings.max_trace_level, 1, 256), settings.adc_bailout});
   if (!scene.radiosity) return;
   const RadiosityProgram& r = *scene.radiosity;

@@ -24,9 +24,8 @@ struct FirstHit {
   float importance = 1;        // that of the surface
 };
 
-/// A ray with its history.
-struct Path {
-  Ray ray;
+/// The history of a ray, but for the bodies around it: small, and copied as one block.
+struct PathHistory {
   double reach = no_hit_depth;  // what is farther away is not seen
   float weight = 1;  // share of the pixel it can still change
   int level = 0;     // bends so far
@@ -35,6 +34,11 @@ struct Path {
   bool reflected = false;
   bool transmitted = false;   // it came through a surface
   FirstHit* first = nullptr;  // who wants to know of the next surface, if somebody does
+};
+
+/// A ray with its history.
+struct Path : PathHistory {
+  Ray ray;
   Containment inside;         // bodies that the ray is inside of; large, so it stands last
 
   [[nodiscard]] RayKind kind() const {
@@ -258,6 +262,7 @@ class Tracer {
   [[nodiscard]] bool find(Sample& sample, FoundSurface& found);
   [[nodiscard]] bool find_met(Sample& sample, const MeetingRay& ray, FoundSurface& found);
   [[nodiscard]] inline bool see(Sample& sample, bool met, const Hit& hit, FoundSurface& found);
+  inline void see_sky(Sample& sample) const;
   void look_up(std::span<FoundSurface* const> found, std::size_t place);
   void look_up_layer(const LayerProgram& layer, std::span<FoundSurface* const> found,
                      dvec3* normals, Colour* colours) const;
@@ -471,6 +476,7 @@ class Tracer {
   std::span<const Leaf> leaves_;                            // of the geometry
   std::span<const std::vector<std::uint32_t>> lamp_sets_;
   std::array<Limits, IrradianceCache::max_depth + 1> limits_;  // by bounce
+  std::optional<Radiance> plain_sky_;  // what the picture shows of a sky that is the same everywhere
   bool alpha_;
   bool legacy_opacity_;
   bool translucent_shadows_;

@@ -6,6 +6,8 @@
 
 #include "functions/builder.h"
 #include "tests/support/catch.h"
+#include "tracer/film/pinhole.h"
+#include "tracer/film/sample_seed.h"
 
 using namespace durer;
 using Kind = scene::Camera::Kind;
@@ -171,4 +173,31 @@ TEST_CASE("camera: rays of a mesh camera leave the faces along their normals", "
   CHECK(out.ray.d == dvec3(0, 0, c.direction.z));
   CHECK(ray(0, 1));  // rows 0 and 1 are the same
   CHECK_FALSE(ray(0, 2));
+}
+
+TEST_CASE("camera: rays of a pinhole are the same one by one and in lanes", "[tracer][camera]") {
+  scene::Camera c;
+  c.location = {1, 2, 3};
+  c.direction = {0.3, -0.2, 1.1};
+  c.right = {1.3, 0.1, -0.02};
+  c.up = {0.01, 0.97, 0.11};
+  const tracer::Pinhole hole{&c, 401, 303};
+  tracer::PinholeRays places;
+  for (std::size_t i = 0; i < tracer::most_in_packet; ++i) {
+    const auto n = static_cast<double>(i);
+    places.x[i] = i < 8 ? n - 1 : n * 26.3 - 0.37;
+    places.y[i] = i < 8 ? 302 - n : n * 20.1 - 0.61;
+    places.key[i] = static_cast<std::uint32_t>(i * i);
+  }
+  for (const tracer::PinholeVersion look_through : tracer::pinhole_versions()) {
+    tracer::PinholeRays rays = places;
+    look_through(hole, rays);
+    for (std::size_t i = 0; i < tracer::most_in_packet; ++i) {
+      CAPTURE(i);
+      const double u = (places.x[i] + 0.5) / hole.width - 0.5;
+      const double v = (hole.height - 1 - places.y[i] + 0.5) / hole.height - 0.5;
+      CHECK(dvec3(rays.d[0][i], rays.d[1][i], rays.d[2][i]) == look(c, u, v).ray.d);
+      CHECK(rays.key[i] == tracer::sample_seed(places.x[i], places.y[i], places.key[i]));
+    }
+  }
 }
