@@ -27,7 +27,7 @@ struct Placement;
 
 /// One primitive as placed in the world.
 struct Leaf {
-  std::uint32_t surface = 0;   // index into Geometry::surfaces()
+  std::uint32_t surface = 0;  // index into Geometry::surfaces()
   /// The interior *instance*, as its space numbers them: Hit::interior is what to compare.
   std::uint32_t inner_interior = 0;
   scene::OriginId origin = 0;
@@ -45,7 +45,8 @@ struct Surface {
   scene::TextureUse interior_texture;  // none: same as `texture`
   bool double_illuminate = false;
   bool uv_mapping = false;  // textures are looked up at (u, v, 0), and have no place of their own
-  /// Textures of single faces (scene::Mesh::textures), and where they lie. Null: the object has none.
+  /// Textures of single faces (scene::Mesh::textures), and where they lie. Null: the object has
+  /// none.
   const std::vector<scene::TextureId>* part_textures = nullptr;
   SharedTransform part_transform;
   std::uint32_t lamps = 0;  // who lights it: index into Geometry::lamp_sets()
@@ -64,7 +65,7 @@ struct Projection {
 struct InteriorInstance {
   scene::InteriorId interior = scene::none;  // none: ior 1, no fading
   bool hollow = false;
-  SharedTransform to_world = {};  // from the space of its media
+  SharedTransform to_world = {};           // from the space of its media
   scene::TextureId texture = scene::none;  // of the last leaf around it; none: there is no leaf
 };
 
@@ -112,6 +113,9 @@ struct ShadowRay {
   bool blocked = false;
 };
 
+/// Rays by number, a bit for each of a packet.
+using RaySet = std::uint32_t;
+
 /// Buffers of one thread; geometry queries allocate nothing once these have grown.
 struct GeometryScratch;
 struct DeleteGeometryScratch {
@@ -154,8 +158,8 @@ class Geometry {
   /// Objects that photons are sent to by lamps in no light group; none if photons are off.
   [[nodiscard]] std::span<const PhotonTarget> photon_targets() const;
 
-  /// Tells of every part of the surfaces that stand in the world itself, not in shared contents, and
-  /// the box around it.
+  /// Tells of every part of the surfaces that stand in the world itself, not in shared contents,
+  /// and the box around it.
   void for_surfaces(const std::function<void(const Leaf&, const Bounds3&)>& visit) const;
 
   /// What came to light about primitives while rays asked them: see Store::doubt. Each message once
@@ -177,8 +181,8 @@ class Geometry {
 
   /// True if some objects answer several rays faster together than one by one.
   [[nodiscard]] bool answers_together() const;
-  /// `closest` for up to most_in_packet rays, neighbours if possible: the same hits, bit for bit, as
-  /// long as surfaces do not coincide and bounds do not cut what they bound.
+  /// `closest` for up to most_in_packet rays, neighbours if possible: the same hits, bit for bit,
+  /// as long as surfaces do not coincide and bounds do not cut what they bound.
   void closest(std::span<MeetingRay> rays, RayKind kind, GeometryScratch& scratch) const;
 
   /// Surface coordinates at a hit (objects §14).
@@ -194,9 +198,12 @@ class Geometry {
 
   /// The same for up to most_in_packet rays, neighbours if possible.
   void occluded(std::span<ShadowRay> rays, GeometryScratch& scratch) const;
+  /// The same for those of a packet that are asked; returns who is blocked. Uses the ranges of all
+  /// of them up; others have to be rays as well.
+  [[nodiscard]] RaySet occluded(PacketRays& rays, RaySet asked, GeometryScratch& scratch) const;
 
-  /// What may cast shadows into a shaft; false, with some of them, if they are too many to ask one by
-  /// one.
+  /// What may cast shadows into a shaft; false, with some of them, if they are too many to ask one
+  /// by one.
   bool casters(const Shaft& shaft, std::vector<Caster>& out) const;
   /// Likewise for a sheet.
   bool casters(const Sheet& sheet, std::vector<Caster>& out) const;
@@ -206,7 +213,8 @@ class Geometry {
   /// who may let light through.
   [[nodiscard]] Way way_between(std::span<Caster> among, const Ray& ray, double t_from, double t_to,
                                 GeometryScratch& scratch) const;
-  /// The same as `occluded`, where only `among` can be in the way. Whoever is, is moved to their front.
+  /// The same as `occluded`, where only `among` can be in the way. Whoever is, is moved to their
+  /// front.
   bool occluded_by(std::span<Caster> among, const Ray& ray, double t_from, double t_to,
                    GeometryScratch& scratch) const;
 

@@ -80,6 +80,7 @@ struct GeometryScratch {
   std::vector<std::uint32_t> bodies;
   // Of rays that go side by side.
   Packet<RayQuery> queries;
+  Packet<ShadowRay> shadow_rays;
   PutOff put_off;
 };
 
@@ -149,7 +150,8 @@ struct Geometry::State {
   // Rays that all ask one object and nobody else (geometry_together.cpp).
   [[nodiscard]] Accel::Companion only_companion() const;
   void closest_on(const Accel::Companion& one, std::span<MeetingRay> rays, RayKind kind) const;
-  void occluded_by(const Accel::Companion& one, std::span<ShadowRay> rays) const;
+  [[nodiscard]] RaySet occluded_by(const Accel::Companion& one, PacketRays& rays,
+                                   RaySet asked) const;
   /// The normals of hits in the world itself (geometry_together.cpp).
   void add_normals(std::span<MeetingRay> rays) const;
   void add_normals_of_shape(std::span<Hit* const> hits) const;

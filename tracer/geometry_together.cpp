@@ -88,7 +88,12 @@ void Geometry::occluded(std::span<ShadowRay> rays, GeometryScratch& scratch) con
     return;
   }
   if (const auto one = state_->only_companion(); one.targets != nullptr) {
-    return state_->occluded_by(one, rays);
+    PacketRays packet;
+    for (const ShadowRay& r : rays) packet.add(r.ray, r.t_from, r.t_to);
+    packet.fill_up();
+    const RaySet blocked = state_->occluded_by(one, packet, (RaySet{2} << (rays.size() - 1)) - 1);
+    for (std::size_t i = 0; i < rays.size(); ++i) rays[i].blocked = (blocked >> i & 1) != 0;
+    return;
   }
   scratch.put_off.count = 0;
   const bool others = !state_->accel->companion_only();
@@ -104,6 +109,24 @@ void Geometry::occluded(std::span<ShadowRay> rays, GeometryScratch& scratch) con
   for (std::size_t i = 0; i < rays.size(); ++i) {
     rays[i].blocked = scratch.queries[i].found.store != nullptr;
   }
+}
+
+RaySet Geometry::occluded(PacketRays& rays, RaySet asked, GeometryScratch& scratch) const {
+  const auto one = state_->only_companion();
+  if (one.targets != nullptr && std::popcount(asked) > 1) {
+    return state_->occluded_by(one, rays, asked);
+  }
+  std::array<std::size_t, most_in_packet> numbers;
+  std::size_t count = 0;
+  wide::each_bit(asked, [&](std::size_t i) {
+    ::new (&scratch.shadow_rays[count]) ShadowRay{rays.ray(i), rays.t_from[i], rays.t_to[i]};
+    numbers[count++] = i;
+  });
+  const std::span<ShadowRay> each = scratch.shadow_rays.first(count);
+  occluded(each, scratch);
+  RaySet blocked = 0;
+  for (std::size_t k = 0; k < count; ++k) blocked |= RaySet{each[k].blocked} << numbers[k];
+  return blocked;
 }
 
 /// The object that is alone in the world, if it answers whole packets and nothing hides parts of
@@ -149,15 +172,16 @@ void Geometry::State::closest_on(const Accel::Companion& one, std::span<MeetingR
   wide::each_bit(hits.met, [&](std::size_t i) { rays[i].hit.n = sign * normals[from++]; });
 }
 
-void Geometry::State::occluded_by(const Accel::Companion& one, std::span<ShadowRay> rays) const {
+RaySet Geometry::State::occluded_by(const Accel::Companion& one, PacketRays& rays,
+                                    RaySet asked) const {
+  if ((one.targets->tags[one.index].mask & blocks_light) == 0) return 0;
+  for (double& t : rays.t_from) t = after(t);
+  wide::each_bit(~asked & all_of_packet, [&](std::size_t i) {
+    rays.t_to[i] = -std::numeric_limits<double>::infinity();  // an empty range
+  });
   PacketHits hits;
-  if ((one.targets->tags[one.index].mask & blocks_light) != 0) {
-    PacketRays packet;
-    for (const ShadowRay& r : rays) packet.add(r.ray, after(r.t_from), r.t_to);
-    packet.fill_up();
-    one.targets->packet(*one.targets, one.index, packet, true, hits);
-  }
-  for (std::size_t i = 0; i < rays.size(); ++i) rays[i].blocked = (hits.met >> i & 1) != 0;
+  one.targets->packet(*one.targets, one.index, rays, true, hits);
+  return hits.met;
 }
 
 void Geometry::State::add_normals(std::span<MeetingRay> rays) const {

@@ -147,6 +147,7 @@ void IsosurfaceShape::nearest(const PacketRays& rays, bool any, PacketHits& hits
     return FieldPacket(data_->field, *data_->surface, least(), any, rays, hits).run();
   }
   for (std::size_t i = 0; i < rays.count; ++i) {
+    if (!(rays.t_from[i] < rays.t_to[i])) continue;
     const auto hit = nearest(rays.ray(i), rays.t_from[i], rays.t_to[i]);
     if (hit) hits.set(i, hit->t, hit->part);
   }

@@ -36,8 +36,11 @@ void normalize(PacketVectors& vectors, std::size_t count);
 /// Bits of those among them whose length is above zero.
 [[nodiscard]] std::uint32_t above_zero(const PacketVectors& vectors, std::size_t count);
 
+/// Bits of all rays of a packet that is full.
+inline constexpr std::uint32_t all_of_packet = (1U << most_in_packet) - 1;
+
 /// Rays that a shape answers together, in the shape's space; |d| is anything. Wanted is the first
-/// visible crossing in t_from <= t < t_to.
+/// visible crossing in t_from <= t < t_to; ranges may be empty.
 struct PacketRays {
   PacketVectors o, d;
   alignas(64) PerRay<double> t_from;

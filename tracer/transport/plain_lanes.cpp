@@ -94,8 +94,10 @@ void PlainShading<Instructions>::aim(PlainPoints& points, const Light& lamp) {
   const auto position = all<Doubles>(lamp.position + dvec3(0.0));
   points.facing = 0;
   points.apart = 0;
-  for (std::size_t first = 0; first < points.count; first += Doubles::size) {
-    const auto p = load<Doubles>(points.p, first);
+  points.shaded = 0;
+  points.to_lamp.count = points.count;
+  for (std::size_t first = 0; first < PlainPoints::size; first += Doubles::size) {
+    const auto p = load<Doubles>(points.p(), first);
     const Vector<Doubles> way{position[0] - p[0], position[1] - p[1], position[2] - p[2]};
     Doubles distance = root(dot(way, way));
     Vector<Doubles> l{way[0] / distance, way[1] / distance, way[2] / distance};
@@ -104,9 +106,12 @@ void PlainShading<Instructions>::aim(PlainPoints& points, const Light& lamp) {
       distance = distance * (Doubles::all(-0.0) - dot(all<Doubles>(lamp.axis), l));
       l = all<Doubles>(-lamp.axis);
     }
+    points.shaded |= (above(distance, Doubles::all(2 * t_shadow)) & all_of_group) << first;
+    Doubles::all(t_shadow).store(&points.to_lamp.t_from[first]);
+    (distance - Doubles::all(t_shadow)).store(&points.to_lamp.t_to[first]);
     const Doubles cosine = dot(load<Doubles>(points.n, first), l);
     points.facing |= (~above(Doubles::all(epsilon), cosine) & all_of_group) << first;
-    for (std::size_t k = 0; k < 3; ++k) l[k].store(&points.l[k][first]);
+    for (std::size_t k = 0; k < 3; ++k) l[k].store(&points.to_lamp.d.of[k][first]);
     distance.store(&points.distance[first]);
     cosine.store(&points.cosine[first]);
   }
@@ -150,7 +155,7 @@ void PlainShading<Instructions>::add_phong(std::size_t first, Mask lit) {
   const auto n = load<Doubles>(points_.n, first);
   const Doubles twice = Doubles::all(2) * dot(d, n);
   const Vector<Doubles> mirrored{d[0] - twice * n[0], d[1] - twice * n[1], d[2] - twice * n[2]};
-  const Doubles s = dot(mirrored, load<Doubles>(points_.l, first));
+  const Doubles s = dot(mirrored, load<Doubles>(points_.l(), first));
   const double least =
       finish_.phong_size < 60 ? finish_.least_phong : std::max(finish_.least_phong, 0.0008);
   add_powers(finish_.phong_size, finish_.phong, s, first, lit & above(s, Doubles::all(least)));
@@ -159,7 +164,7 @@ void PlainShading<Instructions>::add_phong(std::size_t first, Mask lit) {
 template <class Instructions>
 void PlainShading<Instructions>::add_specular(std::size_t first, Mask lit) {
   const auto d = load<Doubles>(points_.d, first);
-  const auto l = load<Doubles>(points_.l, first);
+  const auto l = load<Doubles>(points_.l(), first);
   const Doubles two = Doubles::all(2);
   const Vector<Doubles> half{(l[0] - d[0]) / two, (l[1] - d[1]) / two, (l[2] - d[2]) / two};
   const Doubles along = dot(half, load<Doubles>(points_.n, first));
@@ -238,7 +243,7 @@ void PlainShading<Instructions>::add_film() {
                       DURER_LAMBDA_INLINE { return dvec3(v[0][i], v[1][i], v[2][i]); };
   each_bit(lit_, [&](std::size_t i) DURER_LAMBDA_INLINE {
     const double cos_view = glm::dot(at(points_.n, i), at(points_.d, i));
-    const vec3 film = iridescence(finish_, at(points_.p, i), points_.cosine[i], cos_view);
+    const vec3 film = iridescence(finish_, at(points_.p(), i), points_.cosine[i], cos_view);
     for (std::size_t k = 0; k < 3; ++k) sums_[k][i] *= film[static_cast<int>(k)];
   });
 }

@@ -25,18 +25,23 @@ struct PlainPoints {
   using Vectors = std::array<PerPoint<T>, 3>;
   using Mask = std::uint32_t;  // a bit for each point
 
-  // Up to a whole number of groups, these are those of one point or another.
-  alignas(64) Vectors<double> p, d, n;  // place, direction of the view, normal of the layer
+  // All of these are set: beyond `count`, to those of one point or another.
+  PacketRays to_lamp;                // from these places; the rest by PlainLanes::aim
+  alignas(64) Vectors<double> d, n;  // direction of the view, normal of the layer
   alignas(64) Vectors<float> pigment, lit;
   PerPoint<std::uint32_t> noise;  // states of their random numbers
   const Finish* finish;
   std::size_t count;
 
   // One lamp as seen from the points: see Incidence.
-  alignas(64) Vectors<double> l;
   alignas(64) PerPoint<double> distance, cosine;
   Mask facing;  // those that turn towards the lamp …
-  Mask apart;   // … and those that it is not itself at
+  Mask apart;   // … those that it is not itself at …
+  Mask shaded;  // … and those that are so far away that something can stand in between
+
+  [[nodiscard]] const Vectors<double>& p() const { return to_lamp.o.of; }
+  [[nodiscard]] Vectors<double>& p() { return to_lamp.o.of; }
+  [[nodiscard]] const Vectors<double>& l() const { return to_lamp.d.of; }
 };
 
 /// What a lamp throws on some points.
@@ -49,7 +54,7 @@ struct PlainBeam {
 
 /// Written for several instruction sets; all give the same bits.
 struct PlainLanes {
-  /// Fills in what a lamp looks like, with its whole area at its centre.
+  /// Fills in what a lamp looks like, with its whole area at its centre, and the rays to it.
   void (*aim)(PlainPoints& points, const Light& lamp);
   /// Adds what these points send back of the light of the lamp that they were aimed at: as
   /// Tracer::shade_from() has it.

@@ -1,6 +1,7 @@
 // The short way for several points: lamp by lamp, so that objects which answer rays together are
 // asked once for all points that a lamp may light.
 #include <array>
+#include <bit>
 #include <glm/geometric.hpp>
 #include <new>
 #include <optional>
@@ -49,7 +50,7 @@ struct Tracer::PlainGroup {
   void add(Sample& sample, const dvec3& p, const dvec3& n) {
     const std::size_t i = points.count++;
     samples[i] = &sample;
-    put(p, points.p, i);
+    put(p, points.p(), i);
     put(sample.path.ray.d, points.d, i);
     put(n, points.n, i);
     points.noise[i] = sample.noise;
@@ -125,7 +126,7 @@ void Tracer::look_up(PlainGroup& group) const {
   const PigmentStore& pigments = scene_->textures.pigments();
   std::array<dvec3, most_together> places;
   const auto all_places = [&] {
-    for (std::size_t i = 0; i < points.count; ++i) places[i] = at(points.p, i);
+    for (std::size_t i = 0; i < points.count; ++i) places[i] = at(points.p(), i);
     return std::span(places).first(points.count);
   };
   if (const Colour* colour = pigments.everywhere(layer.pigment); colour != nullptr) {
@@ -187,8 +188,8 @@ void Tracer::light(PlainGroup& group) {
   points.finish = &finish;
   for (auto& lit : points.lit) lit.fill(0);
   // Registers are full: of points that are there already.
-  for (std::size_t i = points.count; i % PlainPoints::group != 0; ++i) {
-    put(at(points.p, 0), points.p, i);
+  for (std::size_t i = points.count; i < PlainPoints::size; ++i) {
+    put(at(points.p(), 0), points.p(), i);
     put(at(points.d, 0), points.d, i);
     put(at(points.n, 0), points.n, i);
   }
@@ -244,9 +245,9 @@ std::uint32_t Tracer::weaken(std::uint32_t number, const PlainPoints& points, st
   const Reach& reach = scene_->reaches[number];
   Mask left = 0;
   each_bit(open, [&](std::size_t i) DURER_LAMBDA_INLINE {
-    const dvec3 p = at(points.p, i);
+    const dvec3 p = at(points.p(), i);
     if (!reach.contains(p)) return;
-    const Incidence in{at(points.l, i), points.distance[i], lamp.colour};
+    const Incidence in{at(points.l(), i), points.distance[i], lamp.colour};
     shares[i] = static_cast<float>(tracer::attenuation(lamp, in, p));
     if (!dark(lamp.colour * shares[i])) left |= Mask{1} << i;
   });
@@ -254,25 +255,10 @@ std::uint32_t Tracer::weaken(std::uint32_t number, const PlainPoints& points, st
 }
 
 /// Those points between which and the lamp nothing stands.
-std::uint32_t Tracer::unblocked(const PlainPoints& points, std::uint32_t open) {
-  std::array<std::uint8_t, most_together> asking;
-  std::size_t count = 0;
-  each_bit(open, [&](std::size_t i) DURER_LAMBDA_INLINE {
-    if (!(points.distance[i] > 2 * t_shadow)) return;
-    ShadowRay& ray = scratch_->shadow_rays[count];
-    ray.ray.o = at(points.p, i);
-    ray.ray.d = at(points.l, i);
-    ray.t_from = t_shadow;
-    ray.t_to = points.distance[i] - t_shadow;
-    asking[count++] = static_cast<std::uint8_t>(i);
-  });
-  scratch_->rays += count;
-  const auto rays = std::span(scratch_->shadow_rays).first(count);
-  scene_->geometry.occluded(rays, *scratch_->geometry);
-  for (std::size_t i = 0; i < count; ++i) {
-    open &= ~((rays[i].blocked ? Mask{1} : 0) << asking[i]);
-  }
-  return open;
+std::uint32_t Tracer::unblocked(PlainPoints& points, std::uint32_t open) {
+  const Mask asked = open & points.shaded;
+  scratch_->rays += static_cast<std::uint64_t>(std::popcount(asked));
+  return open & ~scene_->geometry.occluded(points.to_lamp, asked, *scratch_->geometry);
 }
 
 /// Adds the light of a lamp that is more than a point, or casts no shadows: point by point.
@@ -280,7 +266,7 @@ void Tracer::add_wide_lamp(std::uint32_t number, PlainGroup& group) {
   PlainPoints& points = group.points;
   for (std::size_t i = 0; i < points.count; ++i) {
     View view;  // as far as lamps ask for it
-    view.p = view.q = at(points.p, i);
+    view.p = view.q = at(points.p(), i);
     view.d = at(points.d, i);
     view.g = view.seen = at(points.n, i);
     view.texture = group.kind.texture;

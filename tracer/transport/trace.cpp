@@ -17,7 +17,6 @@ Scratch::Scratch(const CompiledScene& scene)
   found.resize(Tracer::most_together);
   found_layers.resize(FoundSurface::most_layers);
   meeting.resize(Tracer::most_together);
-  shadow_rays.resize(Tracer::most_together);
 }
 Scratch::~Scratch() = default;
 

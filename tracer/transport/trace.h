@@ -12,55 +12,11 @@
 #include "tracer/compiled_scene.h"
 #include "tracer/primitives/store.h"
 #include "tracer/transport/media_parts.h"
+#include "tracer/transport/path.h"
 #include "tracer/transport/photons.h"
 #include "tracer/transport/radiosity.h"
 
 namespace durer::tracer {
-
-/// What a ray that gathers indirect light tells of the first surface that it meets.
-struct FirstHit {
-  double distance = std::numeric_limits<double>::infinity();
-  float least_importance = 0;  // surfaces of less are not looked at
-  float importance = 1;        // that of the surface
-};
-
-/// The history of a ray, but for the bodies around it: small, and copied as one block.
-struct PathHistory {
-  double reach = no_hit_depth;  // what is farther away is not seen
-  float weight = 1;  // share of the pixel it can still change
-  int level = 0;     // bends so far
-  double wavelength = 0;      // nm; 0: white light
-  std::uint32_t bounce = 0;   // of indirect light; above 0: the ray gathers some
-  bool reflected = false;
-  bool transmitted = false;   // it came through a surface
-  FirstHit* first = nullptr;  // who wants to know of the next surface, if somebody does
-};
-
-/// A ray with its history.
-struct Path : PathHistory {
-  Ray ray;
-  Containment inside;         // bodies that the ray is inside of; large, so it stands last
-
-  [[nodiscard]] RayKind kind() const {
-    return bounce > 0    ? RayKind::gathering
-           : reflected   ? RayKind::reflection
-           : transmitted ? RayKind::transmission
-                         : RayKind::image;
-  }
-};
-
-/// Premultiplied colour, and the share of what lies behind that shines through.
-struct Radiance {
-  vec3 colour{0.0F};
-  float transmittance = 0;
-};
-
-/// A ray of the picture, and what it sees.
-struct Sample {
-  std::uint32_t noise = 0;  // state of its random numbers
-  Radiance seen;
-  Path path;
-};
 
 /// One reflection that waits until the layers of its surface are summed.
 struct Reflection {
@@ -94,30 +50,29 @@ struct Scratch {
 
   GeometryScratchPtr geometry;
   std::uint64_t rays = 0;
-  std::uint32_t noise = 0;              // state of random numbers, set anew for every sample
-  std::vector<LampAtPoint> lamps;       // parallel to the scene's lights
-  std::vector<AreaSample> area;         // of the lamp that is being asked
-  std::vector<vec3> area_light;         // what is left of those that are dimmed
-  std::vector<Caster> casters;          // that may stand before it
-  std::vector<std::uint32_t> lit;       // lamps that reach the point being lit
+  std::uint32_t noise = 0;         // state of random numbers, set anew for every sample
+  std::vector<LampAtPoint> lamps;  // parallel to the scene's lights
+  std::vector<AreaSample> area;    // of the lamp that is being asked
+  std::vector<vec3> area_light;    // what is left of those that are dimmed
+  std::vector<Caster> casters;     // that may stand before it
+  std::vector<std::uint32_t> lit;  // lamps that reach the point being lit
   std::vector<GeometryScratchPtr> projectors;
   std::vector<Reflection> reflections;  // a stack
   std::vector<std::uint32_t> containing;
   RadiosityState radiosity;
-  std::vector<std::uint32_t> media;   // a stack: those that are being integrated
-  std::vector<LampSpan> lamp_spans;   // of the ray whose media are being integrated
+  std::vector<std::uint32_t> media;               // a stack: those that are being integrated
+  std::vector<LampSpan> lamp_spans;               // of the ray whose media are being integrated
   std::vector<std::vector<Caster>> lamp_casters;  // parallel to lamp_spans, as far as needed
   std::vector<LitPart> lit_parts;
   std::array<MediaSamples, 2> media_samples;  // of rays, and of shadow rays that they send out
-  const PhotonMaps* photons = nullptr;   // if there are any
-  int below = 0;  // how many looks below surfaces are going on
-  FoundPhotons near_photons;             // around the point being lit
-  FoundPhotons media_photons;            // likewise, in media
+  const PhotonMaps* photons = nullptr;        // if there are any
+  int below = 0;                              // how many looks below surfaces are going on
+  FoundPhotons near_photons;                  // around the point being lit
+  FoundPhotons media_photons;                 // likewise, in media
   dvec3 left_normal{0.0};  // as patterns saw it last, in the part of a mixed texture shown last
-  std::vector<FoundSurface> found;       // by rays that are followed side by side
+  std::vector<FoundSurface> found;  // by rays that are followed side by side
   std::vector<FoundLayer> found_layers;
-  std::vector<MeetingRay> meeting;       // likewise
-  std::vector<ShadowRay> shadow_rays;    // likewise
+  std::vector<MeetingRay> meeting;  // likewise
 };
 
 /// Traces rays of one thread.
@@ -148,8 +103,8 @@ class Tracer {
     const dvec3* n = nullptr;
     const Colour* colour = nullptr;
   };
-  // A surface that is being looked at. What look() always sets is not cleared before: there is one of
-  // these for every hit.
+  // A surface that is being looked at. What look() always sets is not cleared before: there is one
+  // of these for every hit.
   struct View {
     dvec3 p;
     dvec3 q;        // where textures are looked up: p, or (u, v, 0)
@@ -159,8 +114,8 @@ class Tracer {
     dvec3 seen;  // the same as patterns see it: bent, if an entry of the same map came before
     const TextureProgram* texture = nullptr;
     std::uint32_t interior = 0;
-    std::uint32_t lamps = 0;  // index into Geometry::lamp_sets()
-    double depth = 0;  // from the ray's origin
+    std::uint32_t lamps = 0;           // index into Geometry::lamp_sets()
+    double depth = 0;                  // from the ray's origin
     std::span<const LayerLook> known;  // the first layers, if they were looked up before
     bool double_illuminate = false;
     bool gathering = false;  // seen by a ray that gathers indirect light
@@ -271,7 +226,7 @@ class Tracer {
   void for_parts(const View& view, Visit visit) const;
   [[nodiscard]] double choose(View& view, const TextureChoice& choice) const;
   [[nodiscard]] inline LayerLook look_at(const View& view, std::uint32_t number, SurfaceView& seen,
-                                  dvec3& n, Colour& colour) const;
+                                         dvec3& n, Colour& colour) const;
   [[nodiscard]] dvec3 bend(const View& view, const LayerProgram& layer, SurfaceView& seen) const;
   [[nodiscard]] Step surface(const View& view, Path& path);
   [[nodiscard]] Finish without_diffuse(const Finish& finish) const;
@@ -301,8 +256,8 @@ class Tracer {
   [[nodiscard]] inline vec3 light_of(const View& view, const Path& path, const LayerPoint& layer,
                                      const vec3& through, vec3 light, LayersLight& so_far);
   [[nodiscard]] vec3 light_of_translucent(const View& view, const Path& path,
-                                          const LayerPoint& layer, const vec3& through,
-                                          vec3 glow, LayersLight& so_far);
+                                          const LayerPoint& layer, const vec3& through, vec3 glow,
+                                          LayersLight& so_far);
   [[nodiscard]] vec3 indirect_part(const View& view, const Path& path, const LayerPoint& layer,
                                    vec3 through, Indirect& known);
   [[nodiscard]] vec3 indirect(const View& view, dvec3 layer_normal, float weight,
@@ -380,7 +335,7 @@ class Tracer {
   void add_lamp(std::uint32_t number, PlainGroup& group);
   [[nodiscard]] std::uint32_t weaken(std::uint32_t number, const PlainPoints& points,
                                      std::uint32_t open, float* shares) const;
-  [[nodiscard]] std::uint32_t unblocked(const PlainPoints& points, std::uint32_t open);
+  [[nodiscard]] std::uint32_t unblocked(PlainPoints& points, std::uint32_t open);
   void add_wide_lamp(std::uint32_t number, PlainGroup& group);
   [[nodiscard]] vec3 light_of_area(const View& view, const Containment& inside,
                                    const LayerPoint& layer, const Light& light,
@@ -473,19 +428,19 @@ class Tracer {
 
   const CompiledScene* scene_;
   Scratch* scratch_;
-  std::span<const Leaf> leaves_;                            // of the geometry
+  std::span<const Leaf> leaves_;  // of the geometry
   std::span<const std::vector<std::uint32_t>> lamp_sets_;
   std::array<Limits, IrradianceCache::max_depth + 1> limits_;  // by bounce
-  std::optional<Radiance> plain_sky_;  // what the picture shows of a sky that is the same everywhere
+  std::optional<Radiance> plain_sky_;  // in the picture, if it is the same everywhere
   bool alpha_;
   bool legacy_opacity_;
   bool translucent_shadows_;
-  bool air_;     // there is fog or the like …
-  bool in_air_;  // … or there are media …
+  bool air_;                  // there is fog or the like …
+  bool in_air_;               // … or there are media …
   bool gathers_air_ = false;  // … and rays that gather indirect light see it
   bool together_;             // rays may be followed side by side
-  bool plain_;           // plain textures may be lit the short way
-  bool opaque_shadows_;  // any caster of shadows stops all light
+  bool plain_;                // plain textures may be lit the short way
+  bool opaque_shadows_;       // any caster of shadows stops all light
   Quality quality_;
   const PlainLanes* plain_lanes_;
 };
@@ -495,8 +450,8 @@ struct FoundSurface {
   static constexpr std::uint32_t most_layers = 4;
 
   bool waits = false;
-  Tracer::Along along;  // what is before the surface
-  vec3 through{1.0F};   // what the layers let through
+  Tracer::Along along;                                // what is before the surface
+  vec3 through{1.0F};                                 // what the layers let through
   std::array<Tracer::LayerLook, most_layers> layers;  // as far as `look.view.known` goes
   Tracer::Look look;
 };
@@ -507,8 +462,8 @@ struct FoundLayer {
   std::array<Colour, Tracer::most_together> colours;
 };
 
-/// Snell's law for unit `d`, from either side of `normal`; false beyond the critical angle. `eta`: n
-/// before over n behind.
+/// Snell's law for unit `d`, from either side of `normal`; false beyond the critical angle. `eta`:
+/// n before over n behind.
 [[nodiscard]] bool refracted(dvec3 d, dvec3 normal, double eta, dvec3& out);
 
 /// The mirror image of `d` about `n`, kept on the side of `g` (shading §4.8).

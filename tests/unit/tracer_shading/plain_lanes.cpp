@@ -31,7 +31,7 @@ PlainPoints some_points(const Finish& finish, std::size_t count) {
   points.finish = &finish;
   points.count = count;
   for (std::size_t i = 0; i < PlainPoints::size; ++i) {
-    put(3.0 * in_ball(random), points.p, i);
+    put(3.0 * in_ball(random), points.p(), i);
     const dvec3 d = glm::normalize(in_ball(random));
     const dvec3 n = glm::normalize(in_ball(random));
     put(d, points.d, i);
@@ -52,7 +52,7 @@ vec3 one_by_one(const PlainPoints& points, const Light& lamp, const PlainBeam& b
   const dvec3 n = at(points.n, i);
   const dvec3 d = at(points.d, i);
   const vec3 pigment(points.pigment[0][i], points.pigment[1][i], points.pigment[2][i]);
-  const Incidence in = incidence(lamp, at(points.p, i));
+  const Incidence in = incidence(lamp, at(points.p(), i));
   const vec3 light = beam.shares != nullptr ? beam.colour * beam.shares[i] : beam.colour;
   const double cosine = glm::dot(n, in.l);
   vec3 sum(0.0F);
@@ -63,7 +63,7 @@ vec3 one_by_one(const PlainPoints& points, const Light& lamp, const PlainBeam& b
     sum = intensity * pigment * light;
   }
   if (f.highlights && beam.highlights) sum += highlight(f, d, n, in.l, pigment) * light;
-  if (f.irid > 0) sum *= iridescence(f, at(points.p, i), cosine, glm::dot(n, d));
+  if (f.irid > 0) sum *= iridescence(f, at(points.p(), i), cosine, glm::dot(n, d));
   return vec3(points.lit[0][i], points.lit[1][i], points.lit[2][i]) + sum;
 }
 
@@ -86,8 +86,8 @@ void check(const Finish& finish, std::size_t count, const Light& lamp, const Pla
     lanes.shade(points, beam, lit);
     for (std::size_t i = 0; i < count; ++i) {
       CAPTURE(i);
-      const Incidence in = incidence(lamp, at(points.p, i));
-      CHECK(at(points.l, i) == in.l);
+      const Incidence in = incidence(lamp, at(points.p(), i));
+      CHECK(at(points.l(), i) == in.l);
       CHECK(points.distance[i] == in.distance);
       CHECK((points.apart >> i & 1) == 1);
       CHECK((points.facing >> i & 1) == (glm::dot(at(points.n, i), in.l) < epsilon ? 0 : 1));
@@ -123,7 +123,7 @@ TEST_CASE("plain lanes: a lamp at a point does not light it", "[tracer][finish]"
   for (const PlainLanes& lanes : plain_lanes()) {
     PlainPoints points = some_points(finish, 5);
     Light lamp;
-    lamp.position = at(points.p, 2);
+    lamp.position = at(points.p(), 2);
     lanes.aim(points, lamp);
     CHECK((points.apart & 31) == 27);
   }
