@@ -97,6 +97,9 @@ enum class RayKind : std::uint8_t {
   gathering,  // rays that gather indirect light, and all that follow from them
 };
 
+/// Rays by number, a bit for each of a packet.
+using RaySet = std::uint32_t;
+
 /// A ray that asks what it meets in t_from <= t < t_to, and the answer: `hit`, if `met`.
 struct MeetingRay {
   const Ray* ray = nullptr;  // |d| = 1
@@ -105,6 +108,22 @@ struct MeetingRay {
   bool met = false;
   Hit hit{};
 };
+/// What rays of a packet meet that all ask one object.
+struct PacketMeeting {
+  RaySet met = 0;
+  // Of those that met it: one after the other, with unit normals as in Hit.
+  PacketPoints points;
+  PacketVectors normals;
+  PerRay<double> t;
+  // What it is.
+  std::uint32_t leaf = 0;
+  std::uint32_t interior = 0;
+  std::uint32_t shape = 0;
+  const Store* store = nullptr;
+
+  /// All of a hit, by number among these.
+  void fill_in(std::size_t number, Hit& hit) const;
+};
 /// A ray that asks if an opaque, shadow-casting surface lies in t_from < t < t_to, and the answer.
 struct ShadowRay {
   Ray ray;
@@ -112,9 +131,6 @@ struct ShadowRay {
   double t_to = 0;
   bool blocked = false;
 };
-
-/// Rays by number, a bit for each of a packet.
-using RaySet = std::uint32_t;
 
 /// Buffers of one thread; geometry queries allocate nothing once these have grown.
 struct GeometryScratch;
@@ -184,6 +200,10 @@ class Geometry {
   /// `closest` for up to most_in_packet rays, neighbours if possible: the same hits, bit for bit,
   /// as long as surfaces do not coincide and bounds do not cut what they bound.
   void closest(std::span<MeetingRay> rays, RayKind kind, GeometryScratch& scratch) const;
+  /// True if all rays ask one object, and nobody else: then those of a packet (at least one) meet
+  /// the same hits here.
+  [[nodiscard]] bool is_one_object() const;
+  void closest(const PacketRays& rays, RayKind kind, PacketMeeting& out) const;
 
   /// Surface coordinates at a hit (objects §14).
   [[nodiscard]] static dvec2 uv(const Hit& hit);

@@ -149,7 +149,8 @@ struct Geometry::State {
   }
   // Rays that all ask one object and nobody else (geometry_together.cpp).
   [[nodiscard]] Accel::Companion only_companion() const;
-  void closest_on(const Accel::Companion& one, std::span<MeetingRay> rays, RayKind kind) const;
+  void closest_on(const Accel::Companion& one, const PacketRays& rays, RayKind kind,
+                  PacketMeeting& out) const;
   [[nodiscard]] RaySet occluded_by(const Accel::Companion& one, PacketRays& rays,
                                    RaySet asked) const;
   /// The normals of hits in the world itself (geometry_together.cpp).

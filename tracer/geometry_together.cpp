@@ -13,6 +13,29 @@ namespace {
 
 static_assert(most_in_packet <= 32);  // sets of rays are bits of PutOff::Object::rays
 
+/// Places of hits, those of the rays that met something one after the other.
+void find_points(const PacketRays& rays, const PacketHits& hits, PacketMeeting& out) {
+  PacketPoints& points = out.points;
+  if (hits.met == all_of_packet) {  // in order already
+    points.count = most_in_packet;
+    points.part = hits.part;
+    out.t = hits.t;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double* const o = rays.o.of[k].data();
+      const double* const d = rays.d.of[k].data();
+      double* const p = points.p.of[k].data();
+      for (std::size_t i = 0; i < most_in_packet; ++i) p[i] = o[i] + hits.t[i] * d[i];
+    }
+    return;
+  }
+  points.count = 0;
+  wide::each_bit(hits.met, [&](std::size_t i) {
+    out.t[points.count] = hits.t[i];
+    points.add(rays.ray(i).at(hits.t[i]), hits.part[i]);
+  });
+  points.fill_up();
+}
+
 bool is_answered(const RayQuery& query) {
   return (query.any && query.found.store != nullptr) || !(query.t_from < query.t_to);
 }
@@ -54,7 +77,15 @@ void ask_now(RayQuery& query) {
 void Geometry::closest(std::span<MeetingRay> rays, RayKind kind, GeometryScratch& scratch) const {
   if (rays.empty()) return;
   if (const auto one = state_->only_companion(); one.targets != nullptr) {
-    return state_->closest_on(one, rays, kind);
+    PacketRays packet;
+    for (const MeetingRay& r : rays) packet.add(*r.ray, r.t_from, r.t_to);
+    packet.fill_up();
+    PacketMeeting meeting;
+    state_->closest_on(one, packet, kind, meeting);
+    for (std::size_t i = 0; i < rays.size(); ++i) rays[i].met = (meeting.met >> i & 1) != 0;
+    std::size_t number = 0;
+    wide::each_bit(meeting.met, [&](std::size_t i) { meeting.fill_in(number++, rays[i].hit); });
+    return;
   }
   if (!state_->answers_together) {
     for (MeetingRay& r : rays) r.met = closest(*r.ray, r.t_from, r.t_to, kind, r.hit, scratch);
@@ -137,39 +168,44 @@ Accel::Companion Geometry::State::only_companion() const {
   return one;
 }
 
-void Geometry::State::closest_on(const Accel::Companion& one, std::span<MeetingRay> rays,
-                                 RayKind kind) const {
+bool Geometry::is_one_object() const { return state_->only_companion().targets != nullptr; }
+
+void Geometry::closest(const PacketRays& rays, RayKind kind, PacketMeeting& out) const {
+  state_->closest_on(state_->only_companion(), rays, kind, out);
+}
+
+void PacketMeeting::fill_in(std::size_t number, Hit& hit) const {
+  hit.t = t[number];
+  hit.leaf = leaf;
+  hit.interior = interior;
+  hit.p = points.p[number];
+  hit.n = normals[number];
+  hit.store = store;
+  hit.shape = shape;
+  hit.part = points.part[number];
+  hit.depth = 0;
+}
+
+void Geometry::State::closest_on(const Accel::Companion& one, const PacketRays& rays, RayKind kind,
+                                 PacketMeeting& out) const {
   const Tag& tag = one.targets->tags[one.index];
+  out.met = 0;
+  if ((tag.mask & mask_of(kind)) == 0) return;
   PacketHits hits;
-  if ((tag.mask & mask_of(kind)) != 0) {
-    PacketRays packet;
-    for (const MeetingRay& r : rays) packet.add(*r.ray, r.t_from, r.t_to);
-    packet.fill_up();
-    one.targets->packet(*one.targets, one.index, packet, false, hits);
-  }
-  for (std::size_t i = 0; i < rays.size(); ++i) rays[i].met = (hits.met >> i & 1) != 0;
+  one.targets->packet(*one.targets, one.index, rays, false, hits);
   if (hits.met == 0) return;
   const auto& store = static_cast<const Store&>(*one.targets);
-  const std::uint32_t interior = leaves[tag.leaf].inner_interior;
-  PacketPoints points;
-  wide::each_bit(hits.met, [&](std::size_t i) {
-    Hit& hit = rays[i].hit;
-    hit.t = hits.t[i];
-    hit.leaf = tag.leaf;
-    hit.interior = interior;
-    hit.p = rays[i].ray->at(hit.t);
-    hit.store = &store;
-    hit.shape = one.index;
-    hit.part = hits.part[i];
-    hit.depth = 0;
-    points.add(hit.p, hit.part);
-  });
-  points.fill_up();
-  PacketVectors normals;
-  store.normals(one.index, points, normals);
-  const double sign = leaf_inverted[tag.leaf] != 0 ? -1 : 1;
-  std::size_t from = 0;
-  wide::each_bit(hits.met, [&](std::size_t i) { rays[i].hit.n = sign * normals[from++]; });
+  out.met = hits.met;
+  out.leaf = tag.leaf;
+  out.interior = leaves[tag.leaf].inner_interior;
+  out.shape = one.index;
+  out.store = &store;
+  find_points(rays, hits, out);
+  store.normals(one.index, out.points, out.normals);
+  if (leaf_inverted[tag.leaf] == 0) return;
+  for (auto& n : out.normals.of) {
+    for (double& x : n) x = -x;
+  }
 }
 
 RaySet Geometry::State::occluded_by(const Accel::Companion& one, PacketRays& rays,
@@ -177,7 +213,7 @@ RaySet Geometry::State::occluded_by(const Accel::Companion& one, PacketRays& ray
   if ((one.targets->tags[one.index].mask & blocks_light) == 0) return 0;
   for (double& t : rays.t_from) t = after(t);
   wide::each_bit(~asked & all_of_packet, [&](std::size_t i) {
-    rays.t_to[i] = -std::numeric_limits<double>::infinity();  // an empty range
+    rays.t_to[i] = rays.t_from[i];  // an empty range
   });
   PacketHits hits;
   one.targets->packet(*one.targets, one.index, rays, true, hits);

@@ -27,7 +27,7 @@ durer_library(tracer
 target_compile_options(durer_tracer PRIVATE -fno-math-errno)
 # Wide vectors are only passed to what becomes part of its caller.
 set_source_files_properties(film/pinhole.cpp transport/irradiance_cache.cpp transport/photon_search.cpp transport/plain_lanes.cpp
-  transport/plain_together.cpp
+  transport/plain_together.cpp transport/together.cpp
   PROPERTIES COMPILE_OPTIONS -Wno-psabi)
 if(TARGET durer::image)
   target_link_libraries(durer_tracer PUBLIC durer::image)

@@ -57,6 +57,9 @@ Eye::Eye(const Viewpoint& view)
   start_.ray.o = view.camera.in->location;
   start_.reach = view.reach;
   if (view.one_origin) start_.inside = view.scene->around_camera;
+  for (std::size_t i = 0; i < most_in_packet; ++i) {
+    rays_.rays.add(start_.ray, Tracer::nearest_seen, start_.reach);
+  }
 }
 
 void Eye::begin(const IrradianceCache* cache, std::uint32_t seed) {
@@ -121,26 +124,24 @@ void Eye::see_some(std::span<const Spot> spots, Pixel* out) {
 
 /// The same without the ways of the other cameras.
 void Eye::see_through_pinhole(std::span<const Spot> spots, Pixel* out) {
-  PinholeRays rays;
   for (std::size_t i = 0; i < most_in_packet; ++i) {
     const Spot& spot = spots[std::min(i, spots.size() - 1)];  // whatever is there beyond the last
-    rays.x[i] = spot.x;
-    rays.y[i] = spot.y;
-    rays.key[i] = spot.index;
+    rays_.x[i] = spot.x;
+    rays_.y[i] = spot.y;
+    rays_.key[i] = spot.index;
   }
-  see_through_pinhole(rays, spots.size(), out);
+  see_through_pinhole(spots.size(), out);
 }
 
 void Eye::see_square(int left, int top, Pixel* out) {
   static_assert(square_edge * square_edge == most_in_packet);
   if (view_->pinhole.camera != nullptr) {
-    PinholeRays rays;
     for (std::size_t i = 0; i < most_in_packet; ++i) {
-      rays.x[i] = left + static_cast<int>(i % square_edge);
-      rays.y[i] = top + static_cast<int>(i / square_edge);
-      rays.key[i] = 0;
+      rays_.x[i] = left + static_cast<int>(i % square_edge);
+      rays_.y[i] = top + static_cast<int>(i / square_edge);
+      rays_.key[i] = 0;
     }
-    return see_through_pinhole(rays, most_in_packet, out);
+    return see_through_pinhole(most_in_packet, out);
   }
   std::array<Spot, most_in_packet> spots;
   Spot* next = spots.data();
@@ -150,16 +151,13 @@ void Eye::see_square(int left, int top, Pixel* out) {
   see(spots, out);
 }
 
-DURER_INLINE void Eye::see_through_pinhole(PinholeRays& rays, std::size_t count, Pixel* out) {
+DURER_INLINE void Eye::see_through_pinhole(std::size_t count, Pixel* out) {
   static const PinholeVersion look = pinhole_versions().back();
-  look(view_->pinhole, rays);
+  look(view_->pinhole, rays_);
+  rays_.rays.count = count;
   const std::span<Sample> samples = std::span(samples_).first(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    samples[i].noise = rays.key[i];
-    samples[i].path = start_;
-    samples[i].path.ray.d = {rays.d[0][i], rays.d[1][i], rays.d[2][i]};
-  }
-  tracer_.trace(samples);
+  for (std::size_t i = 0; i < count; ++i) samples[i].noise = rays_.key[i];
+  tracer_.trace(start_, rays_.rays, samples);
   for (const Sample& s : samples) *out++ = Pixel(s.seen.colour, s.seen.transmittance);
 }
 

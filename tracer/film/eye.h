@@ -71,7 +71,7 @@ class Eye {
   [[nodiscard]] Pixel look_along(const CameraRay& ray, double x, double y, std::uint32_t index);
   void see_some(std::span<const Spot> spots, Pixel* out);
   void see_through_pinhole(std::span<const Spot> spots, Pixel* out);
-  inline void see_through_pinhole(PinholeRays& rays, std::size_t count, Pixel* out);
+  inline void see_through_pinhole(std::size_t count, Pixel* out);
   inline void start(const CameraRay& ray, const dvec3& d, Path& path);
   void find_around(const dvec3& p, Containment& inside);
   [[nodiscard]] dvec3 unit(const dvec3& d);
@@ -83,6 +83,7 @@ class Eye {
   SobolSampler random_;
   functions::Workspace workspace_;
   std::vector<Sample> samples_;  // that are taken together
+  PinholeRays rays_;             // likewise, through a pinhole
   Path start_;                   // of those through a pinhole, but for its direction
   dvec3 last_d_{0.0};            // the camera's direction of the last ray …
   dvec3 last_unit_{0.0};         // … and the same with unit length

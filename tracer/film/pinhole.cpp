@@ -24,9 +24,9 @@ DURER_INLINE void look_through(const Pinhole& hole, PinholeRays& rays, std::size
   const Doubles y = along(c.direction.y, c.right.y, c.up.y);
   const Doubles z = along(c.direction.z, c.right.z, c.up.z);
   const Doubles scale = all(1) / root(x * x + y * y + z * z);
-  (x * scale).store(&rays.d[0][first]);
-  (y * scale).store(&rays.d[1][first]);
-  (z * scale).store(&rays.d[2][first]);
+  (x * scale).store(&rays.rays.d.of[0][first]);
+  (y * scale).store(&rays.rays.d.of[1][first]);
+  (z * scale).store(&rays.rays.d.of[2][first]);
 }
 
 template <class Instructions>

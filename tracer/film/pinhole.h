@@ -17,8 +17,8 @@ struct alignas(64) PinholeRays {
 
   PerLane<double> x, y;  // in pixels: whole numbers are their centres
   PerLane<std::uint32_t>
-      key;  // tells samples of a pixel apart; afterwards: start of random numbers
-  std::array<PerLane<double>, 3> d;  // unit
+      key;          // tells samples of a pixel apart; afterwards: start of random numbers
+  PacketRays rays;  // their directions; origins and ranges are whoever's who looks
 };
 
 /// A pinhole without bumps, and the size of its picture in pixels.

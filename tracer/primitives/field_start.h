@@ -22,7 +22,7 @@ void FieldWalk<Instructions>::start(std::size_t first) {
   const Doubles leave = load_at(packet_.leave_);
   const Doubles t_from = load_at(packet_.rays_.t_from);
   const Doubles t_to = load_at(packet_.rays_.t_to);
-  open &= above(t_to, enter) & ~above(t_from, leave);
+  open &= above(t_to, enter) & above(t_to, t_from) & ~above(t_from, leave);
   const Doubles begin = most(enter, t_from);
   begin.store(&packet_.begin_[first]);
   (least(leave, t_to) - begin).narrowed(&packet_.end_[first]);

@@ -10,13 +10,12 @@ namespace {
 using Doubles = wide::LanesOf<16>::Doubles;
 constexpr std::size_t group = Doubles::size;
 
-/// Squares of lengths, with the sum as glm::dot has it.
-DURER_INLINE Doubles squares(const PacketVectors& v, std::size_t first) {
-  const auto square = [&](std::size_t k) DURER_LAMBDA_INLINE {
-    const Doubles x = Doubles::load(&v.of[k][first]);
-    return x * x;
+/// As glm::dot has it.
+DURER_INLINE Doubles dots(const PacketVectors& a, const PacketVectors& b, std::size_t first) {
+  const auto product = [&](std::size_t k) DURER_LAMBDA_INLINE {
+    return Doubles::load(&a.of[k][first]) * Doubles::load(&b.of[k][first]);
   };
-  return square(0) + square(1) + square(2);
+  return product(0) + product(1) + product(2);
 }
 
 /// Behind the first `count`.
@@ -39,17 +38,21 @@ void PacketPoints::repeat_last() { tracer::repeat_last(p, count); }
 
 void normalize(PacketVectors& vectors, std::size_t count) {
   for (std::size_t first = 0; first < count; first += group) {
-    const Doubles scale = Doubles::all(1) / root(squares(vectors, first));
+    const Doubles scale = Doubles::all(1) / root(dots(vectors, vectors, first));
     for (PerRay<double>& x : vectors.of) (Doubles::load(&x[first]) * scale).store(&x[first]);
   }
 }
 
-std::uint32_t above_zero(const PacketVectors& vectors, std::size_t count) {
+std::uint32_t along(const PacketVectors& a, const PacketVectors& b, std::size_t count) {
   std::uint32_t bits = 0;
   for (std::size_t first = 0; first < count; first += group) {
-    bits |= above(squares(vectors, first), Doubles::all(0)) << first;
+    bits |= above(dots(a, b, first), Doubles::all(0)) << first;
   }
-  return bits;
+  return bits & ((2U << (count - 1)) - 1);
+}
+
+std::uint32_t above_zero(const PacketVectors& vectors, std::size_t count) {
+  return along(vectors, vectors, count);
 }
 
 }  // namespace durer::tracer

@@ -33,6 +33,9 @@ struct PacketVectors {
 
 /// To unit length: glm::normalize of each of the first `count`, to the last bit.
 void normalize(PacketVectors& vectors, std::size_t count);
+/// Bits of those among the first `count` with a · b > 0.
+[[nodiscard]] std::uint32_t along(const PacketVectors& a, const PacketVectors& b,
+                                  std::size_t count);
 /// Bits of those among them whose length is above zero.
 [[nodiscard]] std::uint32_t above_zero(const PacketVectors& vectors, std::size_t count);
 

@@ -49,7 +49,7 @@ struct Radiance {
   float transmittance = 0;
 };
 
-/// A ray of the picture, and what it sees.
+/// A ray of the picture, and what it sees. Its path may be left out until somebody needs it.
 struct Sample {
   std::uint32_t noise = 0;  // state of its random numbers
   Radiance seen;

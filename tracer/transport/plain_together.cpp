@@ -44,16 +44,42 @@ struct Tracer::PlainKind {
 struct Tracer::PlainGroup {
   PlainKind kind;
   std::array<Sample*, most_together> samples;
+  const Path* start;  // of all samples, if their paths are not made yet
   PlainPoints points;
 
-  explicit PlainGroup(const PlainKind& k) : kind(k) { points.count = 0; }
-  void add(Sample& sample, const dvec3& p, const dvec3& n) {
+  explicit PlainGroup(const PlainKind& k, const Path* begin = nullptr) : kind(k), start(begin) {
+    points.count = 0;
+  }
+  void add(Sample& sample, const dvec3& p, const dvec3& d, const dvec3& n) {
     const std::size_t i = points.count++;
     samples[i] = &sample;
     put(p, points.p(), i);
-    put(sample.path.ray.d, points.d, i);
+    put(d, points.d, i);
     put(n, points.n, i);
     points.noise[i] = sample.noise;
+  }
+  /// The places of those in `who`, seen along `d`, and their normals, which turn if seen from
+  /// inside.
+  void place(const PacketMeeting& meeting, const PacketVectors& d, Mask who, Mask inside) {
+    if (who == all_of_packet) {
+      points.to_lamp.o = meeting.points.p;
+      points.d = d.of;
+      points.n = meeting.normals.of;
+      return each_bit(inside, [&](std::size_t i) DURER_LAMBDA_INLINE {
+        for (auto& n : points.n) n[i] = -n[i];
+      });
+    }
+    std::size_t next = 0;
+    each_bit(who, [&](std::size_t i) DURER_LAMBDA_INLINE {
+      const dvec3 n = meeting.normals[i];
+      put(meeting.points.p[i], points.p(), next);
+      put(d[i], points.d, next);
+      put((inside >> i & 1) != 0 ? -n : n, points.n, next++);
+    });
+  }
+  /// The bodies around the view of a point.
+  [[nodiscard]] const Containment& inside(std::size_t i) const {
+    return start != nullptr ? start->inside : samples[i]->path.inside;
   }
 };
 
@@ -77,8 +103,8 @@ struct Tracer::PlainKinds {
 };
 
 /// Lights what rays have met and goes the short way, without looking at it any closer; returns a
-/// bit for each of those.
-std::uint32_t Tracer::light_met(std::span<Sample> samples) {
+/// bit for each of those. `start`: of their paths, if these are not made yet.
+std::uint32_t Tracer::light_met(std::span<Sample> samples, const Path* start) {
   PlainKinds found;
   Mask lit = 0;
   Mask from_inside = 0;
@@ -89,7 +115,7 @@ std::uint32_t Tracer::light_met(std::span<Sample> samples) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const MeetingRay& ray = scratch_->meeting[i];
     if (!ray.met || ray.hit.depth > 0) continue;
-    const bool inside = glm::dot(ray.hit.n, samples[i].path.ray.d) > 0;
+    const bool inside = glm::dot(ray.hit.n, ray.ray->d) > 0;
     if (ray.hit.leaf != last_leaf || inside != last_inside) {
       last_leaf = ray.hit.leaf;
       last_inside = inside;
@@ -102,21 +128,52 @@ std::uint32_t Tracer::light_met(std::span<Sample> samples) {
     from_inside |= Mask{inside} << i;
   }
   for (std::size_t k = 0; k < found.count; ++k) {
-    light_met(samples, found.kinds[k], found.who[k], from_inside);
+    PlainGroup group(found.kinds[k], start);
+    each_bit(found.who[k], [&](std::size_t i) DURER_LAMBDA_INLINE {
+      const auto& [ray, t_from, t_to, met, hit] = scratch_->meeting[i];
+      group.add(samples[i], hit.p, ray->d, (from_inside >> i & 1) != 0 ? -hit.n : hit.n);
+    });
+    look_up(group);
+    light(group);
   }
   return lit;
 }
 
-/// The same for those of one kind.
-void Tracer::light_met(std::span<Sample> samples, const PlainKind& kind, std::uint32_t same,
-                       std::uint32_t from_inside) {
-  PlainGroup group(kind);
-  each_bit(same, [&](std::size_t i) DURER_LAMBDA_INLINE {
-    const Hit& hit = scratch_->meeting[i].hit;
-    group.add(samples[i], hit.p, (from_inside >> i & 1) != 0 ? -hit.n : hit.n);
+/// The same for those that all meet one object, and whose paths are not made yet.
+std::uint32_t Tracer::light_met(const Path& start, const PacketRays& rays,
+                                const PacketMeeting& meeting, std::span<Sample> samples) {
+  std::array<std::uint8_t, most_together> numbers;  // of the samples
+  PacketVectors packed;
+  const bool all = meeting.met == all_of_packet;
+  std::size_t count = 0;
+  each_bit(meeting.met, [&](std::size_t i) DURER_LAMBDA_INLINE {
+    if (!all) packed.set(count, rays.d[i]);
+    numbers[count++] = static_cast<std::uint8_t>(i);
   });
-  look_up(group);
-  light(group);
+  const PacketVectors& d = all ? rays.d : packed;
+  const Mask inside = along(meeting.normals, d, count);
+  const Mask outside = ~inside & ((Mask{2} << (count - 1)) - 1);
+  std::array<PlainKind, 2> kinds;
+  std::array<Mask, 2> who{outside, inside};
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (who[k] != 0) kinds[k] = kind_of(meeting.leaf, k == 1);
+  }
+  if (who[0] != 0 && kinds[0] == kinds[1]) who = {inside | outside, 0};
+  Mask lit = 0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (who[k] == 0 || kinds[k].texture == nullptr) continue;
+    PlainGroup group(kinds[k], &start);
+    group.place(meeting, d, who[k], inside);
+    each_bit(who[k], [&](std::size_t i) DURER_LAMBDA_INLINE {
+      Sample& sample = samples[numbers[i]];
+      group.points.noise[group.points.count] = sample.noise;
+      group.samples[group.points.count++] = &sample;
+      lit |= Mask{1} << numbers[i];
+    });
+    look_up(group);
+    light(group);
+  }
+  return lit;
 }
 
 /// Colours and bumps of points whose normals are those of the surface.
@@ -176,7 +233,7 @@ void Tracer::light_together(std::span<Sample> samples) {
       const View& view = scratch_->found[i].look.view;
       const LayerLook& own = view.known.front();
       put(own.colour->rgb, group.points.pigment, group.points.count);
-      group.add(samples[i], view.p, *own.n);
+      group.add(samples[i], view.p, view.d, *own.n);
     });
     light(group);
   }
@@ -279,7 +336,7 @@ void Tracer::add_wide_lamp(std::uint32_t number, PlainGroup& group) {
     if_lit(number, view, layer,
            [&](const Light& lamp, const Incidence& in, bool hidden) DURER_LAMBDA_INLINE {
              const Incidence kept = in;  // `in` itself may stay in registers
-             add_light(view, group.samples[i]->path.inside, layer, lamp, kept, hidden, lit);
+             add_light(view, group.inside(i), layer, lamp, kept, hidden, lit);
            });
     points.noise[i] = scratch_->noise;
     put(lit, points.lit, i);

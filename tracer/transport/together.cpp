@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <new>
 
+#include "tracer/accel/lanes.h"
 #include "tracer/transport/layers.h"
 #include "tracer/transport/look.h"
 
@@ -22,8 +23,8 @@ void Tracer::trace(std::span<Sample> samples) {
     return;
   }
   const bool met = meet(samples);
-  const bool lights = met && plain_ && opaque_shadows_ && !in_air_;
-  const std::uint32_t lit = lights ? light_met(samples) : 0;
+  const bool plainly = met && sees_plainly();
+  const std::uint32_t lit = plainly ? light_met(samples, nullptr) : 0;
   std::array<FoundSurface*, most_together> waiting;
   std::size_t count = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -33,15 +34,86 @@ void Tracer::trace(std::span<Sample> samples) {
     found.waits = met ? find_met(samples[i], scratch_->meeting[i], found) : find(samples[i], found);
     if (found.waits) waiting[count++] = &found;
   }
-  if (count == 0) return;
-  for (std::size_t first = 0; first < count;) {
+  if (count > 0) light_found(samples, std::span(waiting).first(count), plainly);
+}
+
+// Most packets see the sky or what is lit the short way, and need no paths.
+void Tracer::trace(const Path& start, const PacketRays& rays, std::span<Sample> samples) {
+  const auto make_path = [&](std::size_t i) {
+    Path& path = samples[i].path;
+    path = start;
+    path.ray = rays.ray(i);
+  };
+  if (!together_ || in_air_ || !is_worth_following(start)) {
+    for (std::size_t i = 0; i < samples.size(); ++i) make_path(i);
+    return trace(samples);
+  }
+  scratch_->rays += samples.size();
+  const bool one = scene_->geometry.is_one_object();
+  const std::uint32_t lit = one ? meet_one(start, rays, samples) : meet_any(start, rays, samples);
+  std::array<FoundSurface*, most_together> waiting;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    FoundSurface& found = scratch_->found[i];
+    const MeetingRay& ray = scratch_->meeting[i];
+    found.waits = false;
+    if ((lit >> i & 1) != 0) continue;
+    if (!ray.met) {
+      see_sky(rays.d[i], samples[i]);
+      continue;
+    }
+    make_path(i);
+    found.waits = see(samples[i], true, ray.hit, found);
+    if (found.waits) waiting[count++] = &found;
+  }
+  if (count > 0) light_found(samples, std::span(waiting).first(count), sees_plainly());
+}
+
+/// What the rays meet, in Scratch::meeting but for those that are lit at once: returns their bits.
+std::uint32_t Tracer::meet_one(const Path& start, const PacketRays& rays,
+                               std::span<Sample> samples) {
+  PacketMeeting meeting;
+  scene_->geometry.closest(rays, start.kind(), meeting);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    scratch_->meeting[i].met = (meeting.met >> i & 1) != 0;
+  }
+  if (meeting.met == 0) return 0;
+  const std::uint32_t lit = sees_plainly() ? light_met(start, rays, meeting, samples) : 0;
+  if (lit == meeting.met) return lit;
+  std::size_t number = 0;
+  wide::each_bit(meeting.met, [&](std::size_t i) DURER_LAMBDA_INLINE {
+    meeting.fill_in(number++, scratch_->meeting[i].hit);
+  });
+  return lit;
+}
+
+/// The same where rays may meet several objects.
+std::uint32_t Tracer::meet_any(const Path& start, const PacketRays& rays,
+                               std::span<Sample> samples) {
+  Packet<Ray> each;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    each[i] = rays.ray(i);
+    MeetingRay& ray = scratch_->meeting[i];
+    ray.ray = &each[i];
+    ray.t_from = rays.t_from[i];
+    ray.t_to = rays.t_to[i];
+  }
+  scene_->geometry.closest(std::span(scratch_->meeting).first(samples.size()), start.kind(),
+                           *scratch_->geometry);
+  return sees_plainly() ? light_met(samples, &start) : 0;
+}
+
+/// What is seen of surfaces that wait for it, of which those in `waiting` are all.
+void Tracer::light_found(std::span<Sample> samples, std::span<FoundSurface*> waiting,
+                         bool plainly) {
+  for (std::size_t first = 0; first < waiting.size();) {
     const TextureProgram* texture = waiting[first]->look.view.texture;
     std::size_t end = first + 1;
-    while (end < count && waiting[end]->look.view.texture == texture) ++end;
-    if (end - first > 1) look_up({&waiting[first], end - first}, first);
+    while (end < waiting.size() && waiting[end]->look.view.texture == texture) ++end;
+    if (end - first > 1) look_up(waiting.subspan(first, end - first), first);
     first = end;
   }
-  if (lights) light_together(samples);
+  if (plainly) light_together(samples);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!scratch_->found[i].waits) continue;
     Sample& sample = samples[i];
@@ -106,11 +178,11 @@ DURER_INLINE bool Tracer::see(Sample& sample, bool met, const Hit& hit, FoundSur
 }
 
 /// The sky, with nothing before it.
-DURER_INLINE void Tracer::see_sky(Sample& sample) const {
+DURER_INLINE void Tracer::see_sky(const dvec3& d, Sample& sample) const {
   if (plain_sky_) {
     sample.seen = *plain_sky_;
   } else {
-    const Sky::Seen s = scene_->sky.at(sample.path.ray.d, !alpha_);
+    const Sky::Seen s = scene_->sky.at(d, !alpha_);
     sample.seen = {vec3(0.0F) + s.colour, s.transmittance};
   }
 }
@@ -126,12 +198,12 @@ bool Tracer::find(Sample& sample, FoundSurface& found) {
   const bool met =
       scene_->geometry.closest(path.ray, t_min, path.reach, path.kind(), hit, *scratch_->geometry);
   if (met || in_air_) return see(sample, met, hit, found);
-  see_sky(sample);
+  see_sky(sample.path.ray.d, sample);
   return false;
 }
 bool Tracer::find_met(Sample& sample, const MeetingRay& ray, FoundSurface& found) {
   if (ray.met || in_air_) return see(sample, ray.met, ray.hit, found);
-  see_sky(sample);
+  see_sky(sample.path.ray.d, sample);
   return false;
 }
 

@@ -92,6 +92,11 @@ class Tracer {
   /// Uses their paths up.
   static constexpr std::size_t most_together = most_in_packet;
   void trace(std::span<Sample> samples);
+  /// The same for samples whose paths are not made yet: all are `start`, but for their rays, one
+  /// for each sample, which see what is between nearest_seen and the reach of `start`.
+  void trace(const Path& start, const PacketRays& rays, std::span<Sample> samples);
+  /// How near the surface may be that a ray of the picture sees.
+  static constexpr double nearest_seen = t_min;
 
  private:
   friend class MediaIntegrator;
@@ -213,11 +218,19 @@ class Tracer {
   void dress(View& view, const Look& look, const Hit& hit, std::uint32_t texture) const;
   [[nodiscard]] Radiance shown(const View& view, const Path& path);
   // together.cpp
+  [[nodiscard]] bool sees_plainly() const {
+    return together_ && plain_ && opaque_shadows_ && !in_air_;
+  }
+  [[nodiscard]] std::uint32_t meet_one(const Path& start, const PacketRays& rays,
+                                       std::span<Sample> samples);
+  [[nodiscard]] std::uint32_t meet_any(const Path& start, const PacketRays& rays,
+                                       std::span<Sample> samples);
+  void light_found(std::span<Sample> samples, std::span<FoundSurface*> waiting, bool plainly);
   [[nodiscard]] bool meet(std::span<Sample> samples);
   [[nodiscard]] bool find(Sample& sample, FoundSurface& found);
   [[nodiscard]] bool find_met(Sample& sample, const MeetingRay& ray, FoundSurface& found);
   [[nodiscard]] inline bool see(Sample& sample, bool met, const Hit& hit, FoundSurface& found);
-  inline void see_sky(Sample& sample) const;
+  inline void see_sky(const dvec3& d, Sample& sample) const;
   void look_up(std::span<FoundSurface* const> found, std::size_t place);
   void look_up_layer(const LayerProgram& layer, std::span<FoundSurface* const> found,
                      dvec3* normals, Colour* colours) const;
@@ -325,9 +338,9 @@ class Tracer {
   struct PlainKind;
   struct PlainKinds;
   struct PlainGroup;
-  [[nodiscard]] std::uint32_t light_met(std::span<Sample> samples);
-  void light_met(std::span<Sample> samples, const PlainKind& kind, std::uint32_t same,
-                 std::uint32_t from_inside);
+  [[nodiscard]] std::uint32_t light_met(const Path& start, const PacketRays& rays,
+                                        const PacketMeeting& meeting, std::span<Sample> samples);
+  [[nodiscard]] std::uint32_t light_met(std::span<Sample> samples, const Path* start);
   void look_up(PlainGroup& group) const;
   [[nodiscard]] PlainKind kind_of(std::uint32_t leaf, bool from_inside) const;
   void light_together(std::span<Sample> samples);

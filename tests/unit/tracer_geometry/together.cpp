@@ -134,6 +134,37 @@ bool same(const Hit& a, const Hit& b) {
          a.store == b.store && a.shape == b.shape && a.part == b.part && a.depth == b.depth;
 }
 
+/// In arrays rays get the same answers to the last bit, whoever of them is asked.
+void check_packets(const Geometry& geometry, std::span<const MeetingRay> meeting,
+                   std::span<const ShadowRay> shadow, RayKind kind, GeometryScratch& scratch) {
+  PacketRays rays;
+  for (const MeetingRay& m : meeting) rays.add(*m.ray, m.t_from, m.t_to);
+  rays.fill_up();
+  if (geometry.is_one_object()) {
+    PacketMeeting packet;
+    geometry.closest(rays, kind, packet);
+    std::size_t number = 0;
+    for (std::size_t i = 0; i < meeting.size(); ++i) {
+      REQUIRE((packet.met >> i & 1) == (meeting[i].met ? 1 : 0));
+      if (!meeting[i].met) continue;
+      Hit hit;
+      packet.fill_in(number++, hit);
+      CHECK(hit.p == meeting[i].hit.p);
+      CHECK(hit.n == meeting[i].hit.n);
+      CHECK(same(hit, meeting[i].hit));
+    }
+  }
+  const RaySet all = (RaySet{2} << (shadow.size() - 1)) - 1;
+  for (const RaySet asked : {all, all & 0x5A5A, RaySet{1}, RaySet{0}}) {
+    PacketRays own = rays;
+    const RaySet blocked = geometry.occluded(own, asked, scratch);
+    for (std::size_t i = 0; i < most_in_packet; ++i) {
+      const bool is = (asked >> i & 1) != 0 && shadow[i].blocked;
+      REQUIRE((blocked >> i & 1) == (is ? 1 : 0));
+    }
+  }
+}
+
 }  // namespace
 
 TEST_CASE("together: rays side by side meet what each meets alone", "[tracer][together]") {
@@ -161,6 +192,7 @@ TEST_CASE("together: rays side by side meet what each meets alone", "[tracer][to
     const RayKind kind = random() % 2 == 0 ? RayKind::image : RayKind::reflection;
     geometry.closest(meeting, kind, *scratch);
     geometry.occluded(shadow, *scratch);
+    check_packets(geometry, meeting, shadow, kind, *scratch);
     for (std::size_t i = 0; i < count; ++i) {
       const MeetingRay& m = meeting[i];
       Hit alone;
