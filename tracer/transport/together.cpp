@@ -12,6 +12,13 @@
 
 namespace durer::tracer {
 
+namespace {
+
+/// A bit for each.
+std::uint32_t all_of(std::span<const Sample> samples) { return (2U << (samples.size() - 1)) - 1; }
+
+}  // namespace
+
 // Where the order of rays matters, they are followed one by one.
 void Tracer::trace(std::span<Sample> samples) {
   if (samples.empty()) return;  // where cameras see nothing
@@ -51,6 +58,7 @@ void Tracer::trace(const Path& start, const PacketRays& rays, std::span<Sample> 
   scratch_->rays += samples.size();
   const bool one = scene_->geometry.is_one_object();
   const std::uint32_t lit = one ? meet_one(start, rays, samples) : meet_any(start, rays, samples);
+  if (lit == all_of(samples)) return;
   std::array<FoundSurface*, most_together> waiting;
   std::size_t count = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -74,11 +82,12 @@ std::uint32_t Tracer::meet_one(const Path& start, const PacketRays& rays,
                                std::span<Sample> samples) {
   PacketMeeting meeting;
   scene_->geometry.closest(rays, start.kind(), meeting);
+  std::uint32_t lit = 0;
+  if (meeting.met != 0 && sees_plainly()) lit = light_met(start, rays, meeting, samples);
+  if (lit == all_of(samples)) return lit;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     scratch_->meeting[i].met = (meeting.met >> i & 1) != 0;
   }
-  if (meeting.met == 0) return 0;
-  const std::uint32_t lit = sees_plainly() ? light_met(start, rays, meeting, samples) : 0;
   if (lit == meeting.met) return lit;
   std::size_t number = 0;
   wide::each_bit(meeting.met, [&](std::size_t i) DURER_LAMBDA_INLINE {
