@@ -31,6 +31,9 @@ struct LaneMask {
   [[nodiscard]] DURER_INLINE LaneMask operator|(LaneMask o) const { return {m | o.m}; }
   [[nodiscard]] DURER_INLINE V choose(V a, V b) const { return m ? a : b; }
   [[nodiscard]] DURER_INLINE bool all() const {
+#if DURER_BUILTIN_LANES
+    if constexpr (sizeof(V) == 32) return __builtin_ia32_movmskpd256(Double4(m)) == 15;
+#endif
     std::int64_t lanes[sizeof m / sizeof(std::int64_t)];
     std::memcpy(lanes, &m, sizeof m);
     std::int64_t every = -1;

@@ -35,8 +35,7 @@ class Runner {
 #include "functions/ops.def"
 #undef DURER_OP
         case Op::waves:
-          if (!fit_circle(in)) return pc;
-          waves(in);
+          if (!waves(in)) return pc;
           break;
         case Op::internal:
         case Op::call:
@@ -79,24 +78,20 @@ class Runner {
     }
   }
 
-  /// True if no angle has to go to the C library.
-  DURER_INLINE bool fit_circle(const Instruction& in) const {
+  /// False if some angle has to go to the C library; then what was written is nothing.
+  DURER_INLINE bool waves(const Instruction& in) {
     LaneMask<V> fit = lt(T(0), T(1));
+    const Register* const angles = operands_ + in.a;
     for (std::uint32_t i = 0; i < in.count / 2U; ++i) {
       for (int part = 0; part < parts; ++part) {
-        fit = both(fit, lt(abs(load(operands_[in.a + i], part)), T(circle_detail::farthest)));
-      }
-    }
-    return fit.all();
-  }
-  DURER_INLINE void waves(const Instruction& in) {
-    for (std::uint32_t i = 0; i < in.count / 2U; ++i) {
-      for (int part = 0; part < parts; ++part) {
-        const auto circle = durer::on_circle(load(operands_[in.a + i], part).v);
+        const T angle = load(angles[i], part);
+        fit = both(fit, lt(abs(angle), T(circle_detail::farthest)));
+        const auto circle = durer::on_circle(angle.v);
         store(in.dst + 2 * i, part, T(circle.sine));
         store(in.dst + 2 * i + 1, part, T(circle.cosine));
       }
     }
+    return fit.all();
   }
 
   const Register* operands_;

@@ -98,9 +98,9 @@ struct Lanes<Number_, Register, 1> {
     } else if constexpr (sizeof(Register) == 64) {
       return __builtin_ia32_broadcastsd512(Double2{x}, Register{}, static_cast<std::uint8_t>(-1));
     } else if constexpr (is_float && sizeof(Register) == 32) {
-      return __builtin_ia32_vbroadcastss256(&x);
+      return __builtin_ia32_vbroadcastss_ps256(Float4{x});
     } else if constexpr (sizeof(Register) == 32) {
-      return __builtin_ia32_vbroadcastsd256(&x);
+      return __builtin_ia32_vbroadcastsd_pd256(Double2{x});
     }
 #endif
     return x - Register{};  // not +, which would be carried out
@@ -200,7 +200,10 @@ struct Lanes {
   static constexpr int size = 2 * Half::size;
   Half lo, hi;
 
-  static DURER_INLINE Lanes all(Number x) { return {Half::all(x), Half::all(x)}; }
+  static DURER_INLINE Lanes all(Number x) {
+    const Half half = Half::all(x);
+    return {half, half};
+  }
   static DURER_INLINE Lanes load(const Number* p) {
     return {Half::load(p), Half::load(p + Half::size)};
   }

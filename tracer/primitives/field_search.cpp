@@ -91,7 +91,7 @@ void FieldSearch::walk(double t0, double t1) {
   while (true) {
     if (t0 >= t_to_) done_ = true;
     if (done_) return;
-    FieldLink link = now.cell->link.load(std::memory_order_acquire);
+    FieldLink link = now.cell->link.load();
     if (enter(*now.cell, link, t0, now.end)) {
       if (waiting == 0) return;
       t0 = now.end;

@@ -30,7 +30,7 @@ auto FieldWalk<Instructions>::spread_in(const FieldDetail& cell) const -> Floats
 template <class Instructions>
 void FieldWalk<Instructions>::walk(Mask lanes) {
   std::array<Later, std::max(field_depth, grazing_depth) + 2> later;
-  std::size_t waiting = 0;
+  Later* free = later.data();  // those before wait
   const auto any = static_cast<std::size_t>(std::countr_zero(lanes));
   const std::array<std::size_t, 3> nearer{packet_.inverse_[0][any] < 0 ? 1U : 0U,
                                           packet_.inverse_[1][any] < 0 ? 1U : 0U,
@@ -38,71 +38,80 @@ void FieldWalk<Instructions>::walk(Mask lanes) {
   const FieldCell* cell = &field_.root();
   Floats begin = Floats::all(0);
   Floats end = load(packet_.end_);
+  // Goes on with that half of the cell which comes first; the other one waits, if lines pass both.
+  const auto descend = [&](FieldLink link) DURER_LAMBDA_INLINE {
+    const auto k = static_cast<std::size_t>(link.axis());
+    const std::size_t near = nearer[k];
+    const FieldHalves& halves = link.halves();
+    const Floats middle =
+        (Floats::all(cell->plane) - load(packet_.short_p_[k])) * load(packet_.inverse_[k]);
+    const Mask first = lanes & above(middle, begin);
+    const Mask second = lanes & (above(end, middle) | ~first);
+    if (first == 0) {
+      cell = &halves.cells[1 - near];
+      return;
+    }
+    cell = &halves.cells[near];
+    if (second == 0) return;
+    most(begin, middle).store(free->begin.data());
+    end.store(free->end.data());
+    free->cell = &halves.cells[1 - near];
+    free->lanes = second;
+    ++free;
+    end = least(end, middle);
+    lanes = first;
+  };
+  // To the next cell, if this one has told all.
+  const auto next = [&]() DURER_LAMBDA_INLINE {
+    do {
+      if (free == later.data()) return false;
+      --free;
+      lanes = free->lanes & packet_.open_;
+    } while (lanes == 0);
+    cell = free->cell;
+    begin = load(free->begin);
+    end = load(free->end);
+    return true;
+  };
   while (true) {
-    // To the next cell, if this one has told all.
-    const auto next = [&]() DURER_LAMBDA_INLINE {
-      do {
-        if (waiting == 0) return false;
-        --waiting;
-        lanes = later[waiting].lanes & packet_.open_;
-      } while (lanes == 0);
-      const Later& now = later[waiting];
-      cell = now.cell;
-      begin = load(now.begin);
-      end = load(now.end);
-      return true;
-    };
-    FieldLink link = cell->link.load(std::memory_order_acquire);
+    FieldLink link = cell->link.load();
+    // A loop of its own, in which everything stays in registers.
+    while (link.state() == State::halved) {
+      descend(link);
+      link = cell->link.load();
+    }
     const State state = link.state();
     if (state <= State::outside) {
       settle(lanes, state == State::inside, begin);
       if (!next()) return;
       continue;
     }
-    if (state != State::halved) {
-      const Line line = line_in(*cell);
-      const Floats a = line.at + line.slope * begin;
-      const Floats b = line.at + line.slope * end;
-      const Mask outside = lanes & above(least(a, b), Floats::all(cell->error));
-      const Mask inside = lanes & above(Floats::all(-cell->error), most(a, b));
-      if (outside != 0) settle(outside, false, begin);
-      if (inside != 0) settle(inside, true, begin);
-      lanes &= ~(outside | inside);
-      if (lanes != 0 && state != State::whole) {
-        const FieldDetail& detail = state == State::refined ? link.halves().whole() : link.detail();
-        const Floats spread = spread_in(detail);
-        Mask here = lanes;
-        if (state != State::rough && detail.depth() < grazing_depth) {
-          here &= above(abs(line.slope), spread);
-        }
-        if (here != 0) examine(*cell, here, line, spread, begin, end);
-        lanes &= ~here;
+    const Line line = line_in(*cell);
+    const Floats a = line.at + line.slope * begin;
+    const Floats b = line.at + line.slope * end;
+    const Mask outside = lanes & above(least(a, b), Floats::all(cell->error));
+    const Mask inside = lanes & above(Floats::all(-cell->error), most(a, b));
+    if (outside != 0) settle(outside, false, begin);
+    if (inside != 0) settle(inside, true, begin);
+    lanes &= ~(outside | inside);
+    if (lanes != 0 && state != State::whole) {
+      const FieldDetail& detail = state == State::refined ? link.halves().whole() : link.detail();
+      const Floats spread = spread_in(detail);
+      Mask here = lanes;
+      if (state != State::rough && detail.depth() < grazing_depth) {
+        here &= above(abs(line.slope), spread);
       }
-      if (lanes == 0) {
-        if (!next()) return;
-        continue;
-      }
+      if (here != 0) examine(*cell, here, line, spread, begin, end);
+      lanes &= ~here;
     }
-    const auto k = static_cast<std::size_t>(link.axis());
-    const std::size_t near = nearer[k];
-    if (!link.has_halves()) link = field_.split(*cell, link, near);
-    const FieldHalves& halves = link.halves();
-    const Floats middle =
-        (Floats::all(cell->plane) - load(packet_.short_p_[k])) * load(packet_.inverse_[k]);
-    const Mask first = lanes & above(middle, begin);
-    const Mask second = lanes & (above(end, middle) | ~first);
-    // Without branches, which could not be foretold.
-    Later& then = later[waiting];
-    waiting += first != 0 && second != 0 ? 1 : 0;
-    const Floats farther = most(begin, middle);
-    farther.store(then.begin.data());
-    end.store(then.end.data());
-    then.cell = &halves.cells[1 - near];
-    then.lanes = second;
-    cell = &halves.cells[first != 0 ? near : 1 - near];
-    begin = chosen(first != 0, begin, farther);
-    end = chosen(first != 0, least(end, middle), end);
-    lanes = first != 0 ? first : second;
+    if (lanes == 0) {
+      if (!next()) return;
+      continue;
+    }
+    if (!link.has_halves()) {
+      link = field_.split(*cell, link, nearer[static_cast<std::size_t>(link.axis())]);
+    }
+    descend(link);
   }
 }
 

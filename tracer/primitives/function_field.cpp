@@ -131,20 +131,19 @@ FieldLink FunctionField::split(const FieldCell& cell, FieldLink link, std::size_
     ++part.halvings[static_cast<std::size_t>(k)];
     part.parent = &parent;
     // What is known of the whole may do.
-    const double middle =
-        static_cast<double>(cell.value) + glm::dot(slope, part.centre - centre());
+    const double middle = static_cast<double>(cell.value) + glm::dot(slope, part.centre - centre());
     FieldCell& place = made->cells[i];
     if (middle > swing) {
-      place.link = FieldLink(State::outside, 0, &part);
+      place.link.set({State::outside, 0, &part});
     } else if (middle < -swing) {
-      place.link = FieldLink(State::inside, 0, &part);
+      place.link.set({State::inside, 0, &part});
     } else {
       examine(place, part, half, workspace);
     }
   }
   const FieldLink halved(link.state() == State::smooth ? State::refined : State::halved, k, made);
   // If another thread was faster, its cells are the same, and these are left over.
-  return cell.link.compare_exchange_strong(link, halved, std::memory_order_acq_rel) ? halved : link;
+  return cell.link.replace(link, halved);
 }
 
 /// Fills in what is known about a cell from the bounds of the function over it.
@@ -155,9 +154,7 @@ void FunctionField::examine(FieldCell& cell, FieldDetail& detail, const dvec3& h
   const std::array<Interval, 3> box{Interval{c.x - reach.x, c.x + reach.x},
                                     Interval{c.y - reach.y, c.y + reach.y},
                                     Interval{c.z - reach.z, c.z + reach.z}};
-  const auto set = [&](State state, int axis = 0) {
-    cell.link.store({state, axis, &detail}, std::memory_order_relaxed);
-  };
+  const auto set = [&](State state, int axis = 0) { cell.link.set({state, axis, &detail}); };
   static thread_local functions::BoxTrends::Memory memory;
   const Trend trend = (*trends_)(box, {c.x, c.y, c.z}, workspace, memory);
   const Interval range = trend.range();

@@ -39,7 +39,7 @@ inline constexpr int grazing_depth = 24;
 /// What is needed of a cell only where the surface may be inside it.
 struct alignas(32) FieldDetail {
   dvec3 centre{0.0};
-  std::array<float, 3> spread{};  // the slope along axis k is slope[k] ± spread[k]
+  std::array<float, 3> spread{};           // the slope along axis k is slope[k] ± spread[k]
   std::array<std::uint8_t, 3> halvings{};  // along each axis, of the box
   const FieldDetail* parent = nullptr;     // the cell that this is half of
 
@@ -60,6 +60,7 @@ class FieldLink {
     refined,  // smooth, and halved for lines that graze the surface
   };
   FieldLink() = default;
+  explicit FieldLink(std::uintptr_t word) : word_(word) {}
   FieldLink(State state, int axis, const FieldDetail* detail)
       : word_(reinterpret_cast<std::uintptr_t>(detail) | static_cast<std::uintptr_t>(axis) << 3 |
               static_cast<std::uintptr_t>(state)) {}
@@ -81,19 +82,40 @@ class FieldLink {
     return *reinterpret_cast<const FieldHalves*>(word_ & ~std::uintptr_t{31});
   }
 
+  [[nodiscard]] std::uintptr_t word() const { return word_; }
+
  private:
   std::uintptr_t word_ = 0;
 };
 
+/// A link that threads share. Not an atomic FieldLink, which compilers read by way of memory: walks
+/// wait for each link before they know the next cell.
+class SharedFieldLink {
+ public:
+  [[nodiscard]] FieldLink load() const { return FieldLink(word_.load(std::memory_order_acquire)); }
+  /// Before others see it.
+  void set(FieldLink link) { word_.store(link.word(), std::memory_order_relaxed); }
+  /// Replaces `expected`. What is there from then on: perhaps somebody else's.
+  FieldLink replace(FieldLink expected, FieldLink by) const {
+    std::uintptr_t found = expected.word();
+    return word_.compare_exchange_strong(found, by.word(), std::memory_order_acq_rel)
+               ? by
+               : FieldLink(found);
+  }
+
+ private:
+  mutable std::atomic<std::uintptr_t> word_{0};
+};
+
 /// Where a function lies in relation to a threshold, over a cell of space. At a point c + q of the
-/// cell, c the centre of the whole field, it is within `error` of m = value + slope · q, as long as it
-/// may have either sign. A walk through halves needs no more than this line of memory.
+/// cell, c the centre of the whole field, it is within `error` of m = value + slope · q, as long as
+/// it may have either sign. A walk through halves needs no more than this line of memory.
 struct FieldCell {
   float value = 0;
   std::array<float, 3> slope{};
   float error = 0;
   float plane = 0;  // between the halves, if it has any: their coordinate, from the field's centre
-  mutable std::atomic<FieldLink> link{};
+  SharedFieldLink link;
 };
 
 /// The lower and the higher half of a cell.
