@@ -1,5 +1,6 @@
 #include "functions/simd/nearest_points.h"
 
+#include "functions/simd/processor.h"
 #include "functions/simd/quad.h"
 
 namespace durer::functions::simd {
@@ -110,12 +111,11 @@ constexpr Kernels baseline{
     },
 };
 #ifdef __x86_64__
-__attribute__((target("avx2"))) Smallest3 avx2_of_one(const PointList& points, const dvec3& p,
-                                                      int n, const Smallest3& so_far) {
+DURER_AVX2 Smallest3 avx2_of_one(const PointList& points, const dvec3& p, int n,
+                                 const Smallest3& so_far) {
   return search<Double4>(points, p, n, so_far);
 }
-__attribute__((target("avx2"))) FourSmallest3 avx2_of_four(const PointList& points,
-                                                           const FourPoints& p, int n) {
+DURER_AVX2 FourSmallest3 avx2_of_four(const PointList& points, const FourPoints& p, int n) {
   return search<Double4>(points, p, n);
 }
 #endif
@@ -123,7 +123,7 @@ __attribute__((target("avx2"))) FourSmallest3 avx2_of_four(const PointList& poin
 constinit Kernels best = baseline;
 [[maybe_unused]] const bool chosen = [] {
 #ifdef __x86_64__
-  if (__builtin_cpu_supports("avx2") != 0) best = {avx2_of_one, avx2_of_four};
+  if (durer::simd::has_avx2()) best = {avx2_of_one, avx2_of_four};
 #endif
   return true;
 }();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "functions/simd/processor.h"
 #include "functions/simd/quad.h"
 
 namespace durer::functions::simd {
@@ -91,9 +92,8 @@ DURER_INLINE NoiseBound bound_of(const Cell& cell, const Ball (&f)[3]) {
     s_middle[axis] = {smooth_step(f[axis].m), 0};
   }
   // Faces across each axis; their corners in the order of the other two axes.
-  static constexpr int corners[3][2][4] = {{{0, 2, 4, 6}, {1, 3, 5, 7}},
-                                           {{0, 1, 4, 5}, {2, 3, 6, 7}},
-                                           {{0, 1, 2, 3}, {4, 5, 6, 7}}};
+  static constexpr int corners[3][2][4] = {
+      {{0, 2, 4, 6}, {1, 3, 5, 7}}, {{0, 1, 4, 5}, {2, 3, 6, 7}}, {{0, 1, 2, 3}, {4, 5, 6, 7}}};
   static constexpr int others[3][2] = {{1, 2}, {0, 2}, {0, 1}};
   const Quad none = all<Quad>(0);
 
@@ -136,7 +136,7 @@ DURER_INLINE NoiseBound bound_of(const Cell& cell, const Ball (&f)[3]) {
 
 NoiseBound baseline(const Cell& cell, const Ball (&f)[3]) { return bound_of<PairQuad>(cell, f); }
 #ifdef __x86_64__
-__attribute__((target("avx2"))) NoiseBound avx2(const Cell& cell, const Ball (&f)[3]) {
+DURER_AVX2 NoiseBound avx2(const Cell& cell, const Ball (&f)[3]) {
   return bound_of<WideQuad>(cell, f);
 }
 #endif
@@ -145,7 +145,7 @@ using Kernel = NoiseBound (*)(const Cell&, const Ball (&)[3]);
 constinit Kernel best = &baseline;
 [[maybe_unused]] const bool chosen = [] {
 #ifdef __x86_64__
-  if (__builtin_cpu_supports("avx2") != 0) best = &avx2;
+  if (durer::simd::has_avx2()) best = &avx2;
 #endif
   return true;
 }();

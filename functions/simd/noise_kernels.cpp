@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "functions/simd/noise_lattice.h"
+#include "functions/simd/processor.h"
 
 namespace durer::functions::simd {
 namespace {
@@ -351,7 +352,7 @@ DURER_INLINE void four_octaves_of(const dvec3* p, int count, double lambda, int 
 namespace {
 DURER_NOISE_KERNELS(baseline, PairQuad, )
 #ifdef __x86_64__
-DURER_NOISE_KERNELS(avx2, WideQuad, __attribute__((target("avx2"))))
+DURER_NOISE_KERNELS(avx2, WideQuad, DURER_AVX2)
 #endif
 }  // namespace
 
@@ -359,7 +360,7 @@ const NoiseKernels& baseline_kernels() { return baseline::table; }
 
 const NoiseKernels* avx2_kernels() {
 #ifdef __x86_64__
-  if (__builtin_cpu_supports("avx2") != 0) return &avx2::table;
+  if (durer::simd::has_avx2()) return &avx2::table;
 #endif
   return nullptr;
 }

@@ -4,6 +4,7 @@
 
 #include "base/circle.h"
 #include "functions/simd/lanes.h"
+#include "functions/simd/processor.h"
 
 namespace durer::functions::simd {
 namespace {
@@ -132,13 +133,8 @@ DURER_INLINE void spread_numbers(const double* from, std::size_t n, Pack* to) {
   }
 DURER_TAPE_LANES(baseline, Double2, )
 #ifdef __x86_64__
-DURER_TAPE_LANES(avx2, Double4, __attribute__((target("avx2"))))
-DURER_TAPE_LANES(avx512, Double8, __attribute__((target("avx512f,avx512dq,avx512vl,avx512bw"))))
-
-bool has_avx512() {
-  return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
-         __builtin_cpu_supports("avx512vl") != 0 && __builtin_cpu_supports("avx512bw") != 0;
-}
+DURER_TAPE_LANES(avx2, Double4, DURER_AVX2)
+DURER_TAPE_LANES(avx512, Double8, DURER_AVX512)
 #endif
 #undef DURER_TAPE_LANES
 
@@ -147,8 +143,8 @@ bool has_avx512() {
 std::vector<const TapeLanes*> all_tape_lanes() {
   std::vector<const TapeLanes*> all{&baseline::table};
 #ifdef __x86_64__
-  if (__builtin_cpu_supports("avx2") != 0) all.push_back(&avx2::table);
-  if (has_avx512()) all.push_back(&avx512::table);
+  if (durer::simd::has_avx2()) all.push_back(&avx2::table);
+  if (durer::simd::has_avx512()) all.push_back(&avx512::table);
 #endif
   return all;
 }

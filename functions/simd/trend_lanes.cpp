@@ -2,6 +2,7 @@
 
 #include "base/circle.h"
 #include "base/trend.h"
+#include "functions/simd/processor.h"
 #include "functions/simd/quad.h"
 
 namespace durer::functions::simd {
@@ -171,8 +172,8 @@ std::uint32_t baseline(const Function& f, Trend* registers, std::uint32_t pc, st
   return Runner<PairQuad>(f, registers).run(f.code.data(), pc, end);
 }
 #ifdef __x86_64__
-__attribute__((target("avx2"))) std::uint32_t avx2(const Function& f, Trend* registers,
-                                                   std::uint32_t pc, std::uint32_t end) {
+DURER_AVX2 std::uint32_t avx2(const Function& f, Trend* registers, std::uint32_t pc,
+                              std::uint32_t end) {
   return Runner<WideQuad>(f, registers).run(f.code.data(), pc, end);
 }
 #endif
@@ -182,7 +183,7 @@ __attribute__((target("avx2"))) std::uint32_t avx2(const Function& f, Trend* reg
 std::vector<TrendLanes> all_trend_lanes() {
   std::vector<TrendLanes> all{baseline};
 #ifdef __x86_64__
-  if (__builtin_cpu_supports("avx2") != 0) all.push_back(avx2);
+  if (durer::simd::has_avx2()) all.push_back(avx2);
 #endif
   return all;
 }

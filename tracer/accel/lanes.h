@@ -9,12 +9,13 @@
 #include <cstring>
 
 #include "functions/simd/inline.h"
+#include "functions/simd/processor.h"
 
 // Functions are compiled for processors with 256-bit vectors and for all others; the results are
 // equal. DURER_WIDE marks the former, and has_wide_vectors() tells whether they may be called.
 #if defined(__x86_64__)
 #define DURER_HAS_WIDE 1
-#define DURER_WIDE __attribute__((target("avx2")))
+#define DURER_WIDE DURER_AVX2
 #else
 #define DURER_HAS_WIDE 0
 #define DURER_WIDE
@@ -24,7 +25,7 @@ namespace durer::tracer {
 
 [[nodiscard]] inline bool has_wide_vectors() {
 #if DURER_HAS_WIDE
-  static const bool has = __builtin_cpu_supports("avx2") != 0;
+  static const bool has = simd::has_avx2();
   return has;
 #else
   return false;

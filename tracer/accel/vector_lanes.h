@@ -8,12 +8,10 @@
 #include <cstring>
 
 #include "functions/simd/inline.h"
+#include "functions/simd/processor.h"
 
 #if defined(__x86_64__)
 #include <immintrin.h>  // declares the built-in functions
-// Functions for processors with 256-bit and 512-bit vectors.
-#define DURER_AVX2 __attribute__((target("avx2")))
-#define DURER_AVX512 __attribute__((target("avx512f,avx512dq,avx512vl,avx512bw")))
 #endif
 
 namespace durer::tracer::wide {

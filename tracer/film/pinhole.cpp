@@ -58,9 +58,8 @@ std::span<const PinholeVersion> pinhole_versions() {
   static const std::vector<PinholeVersion> versions = [] {
     std::vector<PinholeVersion> all{look_128};
 #if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx2") != 0) all.push_back(look_256);
-    if (__builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
-        __builtin_cpu_supports("avx512vl") != 0 && __builtin_cpu_supports("avx512bw") != 0) {
+    if (simd::has_avx2()) all.push_back(look_256);
+    if (simd::has_avx512()) {
       all.push_back(look_512);
     }
 #endif

@@ -148,9 +148,8 @@ std::span<const FieldWalkVersion> field_walks() {
   static const std::vector<FieldWalkVersion> versions = [] {
     std::vector<FieldWalkVersion> all{walk_128};
 #if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx2") != 0) all.push_back(walk_256);
-    if (__builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
-        __builtin_cpu_supports("avx512vl") != 0 && __builtin_cpu_supports("avx512bw") != 0) {
+    if (simd::has_avx2()) all.push_back(walk_256);
+    if (simd::has_avx512()) {
       all.push_back(walk_512);
     }
 #endif

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <type_traits>
 
+#include "functions/simd/processor.h"
 #include "tracer/primitives/julia_orbit.h"
 
 namespace durer::tracer {
@@ -164,17 +165,16 @@ using Double2 = double __attribute__((vector_size(16)));
 
 // The same code for processors with 256-bit vectors and for all others; the results are equal.
 #if defined(__x86_64__)
-#define DURER_WIDE __attribute__((target("avx2")))
 using Double4 = double __attribute__((vector_size(32)));
-DURER_WIDE unsigned contains_wide(const JuliaSet& set, dvec3 o, dvec3 d,
+DURER_AVX2 unsigned contains_wide(const JuliaSet& set, dvec3 o, dvec3 d,
                                   const JuliaOrbits::Lanes& s) {
   return contains<Double4>(set, o, d, s);
 }
-DURER_WIDE void follow_wide(const JuliaSet& set, dvec3 o, dvec3 d, const JuliaOrbits::Lanes& s,
+DURER_AVX2 void follow_wide(const JuliaSet& set, dvec3 o, dvec3 d, const JuliaOrbits::Lanes& s,
                             JuliaOrbits& out) {
   follow<Double4>(set, o, d, s, out);
 }
-const bool has_wide = __builtin_cpu_supports("avx2") != 0;
+const bool has_wide = simd::has_avx2();
 #endif
 
 }  // namespace

@@ -281,9 +281,8 @@ std::span<const PlainLanes> plain_lanes() {
   static const std::vector<PlainLanes> versions = [] {
     std::vector<PlainLanes> all{{aim_128, shade_128}};
 #if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx2") != 0) all.push_back({aim_256, shade_256});
-    if (__builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
-        __builtin_cpu_supports("avx512vl") != 0 && __builtin_cpu_supports("avx512bw") != 0) {
+    if (simd::has_avx2()) all.push_back({aim_256, shade_256});
+    if (simd::has_avx512()) {
       all.push_back({aim_512, shade_512});
     }
 #endif
